@@ -1,5 +1,4 @@
-# Copyright (c) 2026 The Conformal Geometry Processing authors
-# SPDX-License-Identifier: LGPL-3.0-or-later
+# Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 # Defines CHOLMOD::CHOLMOD. SuiteSparse 7 and later bring a config package of their own; Debian 12
 # (5.12) has neither that nor a pkg-config file, so the library is looked up by name.
 

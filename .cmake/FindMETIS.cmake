@@ -1,5 +1,4 @@
-# Copyright (c) 2026 The Conformal Geometry Processing authors
-# SPDX-License-Identifier: LGPL-3.0-or-later
+# Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 # Defines METIS::METIS; Debian 12 ships neither a config package nor a pkg-config file.
 
 find_path(METIS_INCLUDE_DIR metis.h)

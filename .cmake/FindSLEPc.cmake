@@ -1,5 +1,4 @@
-# Copyright (c) 2026 The Conformal Geometry Processing authors
-# SPDX-License-Identifier: LGPL-3.0-or-later
+# Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 # Defines SLEPc::SLEPc: SLEPc and PETSc for complex numbers, with MPI. Both come with files for
 # pkg-config; those of an installation of one's own are found by way of PKG_CONFIG_PATH.
 

@@ -1,5 +1,4 @@
-# Copyright (c) 2026 The Conformal Geometry Processing authors
-# SPDX-License-Identifier: LGPL-3.0-or-later
+# Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 # three.js of the HTML reports, fetched once by npm into the build folder (nothing of it is among
 # our sources). Without a network, put the archive that `npm pack` makes there yourself.
 #

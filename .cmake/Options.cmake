@@ -1,7 +1,6 @@
-# Copyright (c) 2026 The Conformal Geometry Processing authors
-# SPDX-License-Identifier: LGPL-3.0-or-later
+# Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 # What is built and with which checks. A project that adds this one as a subdirectory gets the
-# headers alone: everything below is off there.
+# libraries alone: everything below is off there.
 
 option(CGP_BUILD_TESTS "Build the tests" ${PROJECT_IS_TOP_LEVEL})
 option(CGP_BUILD_EXAMPLES "Build the examples and the program conformal" ${PROJECT_IS_TOP_LEVEL})
@@ -14,9 +13,8 @@ set(CGP_COMMANDS all CACHE STRING "the commands of the program that are built, f
 with what they need of the libraries; or all")
 option(CGP_WARNINGS_AS_ERRORS "Stop at a warning in our own code, as test/run does" OFF)
 option(CGP_KERNELS_ONLY "Build what needs no CGAL: the compiled libraries, the Python module" OFF)
-option(CGP_HEADER_ONLY "Let tests and programs compile all of the library themselves" OFF)
 option(CGP_NATIVE "Compile for this very machine (-march=native)" OFF)
-option(CGP_COVERAGE "Count which lines of the headers the tests run (g++)" OFF)
+option(CGP_COVERAGE "Count which lines of the library the tests run (g++)" OFF)
 set(CGP_SANITIZE "" CACHE STRING "address (with undefined behaviour), fuzzer, thread, or nothing")
 set_property(CACHE CGP_SANITIZE PROPERTY STRINGS "" address fuzzer thread)
 

@@ -1,5 +1,4 @@
-# Copyright (c) 2026 The Conformal Geometry Processing authors
-# SPDX-License-Identifier: LGPL-3.0-or-later
+# Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 # Install, and what find_package(Conformal_geometry_processing COMPONENTS core cholmod metis slepc)
 # reads.
 include(GNUInstallDirs)
@@ -20,18 +19,16 @@ function(cgp_install component)
           LIBRARY COMPONENT libraries NAMELINK_COMPONENT headers
           RUNTIME COMPONENT libraries
           ARCHIVE COMPONENT headers
-          FILE_SET HEADERS COMPONENT headers
-          FILE_SET implementations COMPONENT headers)
+          FILE_SET HEADERS COMPONENT headers)
   install(EXPORT ${component} NAMESPACE ${PROJECT_NAME}:: DESTINATION ${config_folder}
           FILE ${component}_targets.cmake COMPONENT headers)
 endfunction()
 
 # An export set each, so that a user of kernels alone never needs CGAL, nor a user of core alone
 # SuiteSparse, METIS or MPI.
-cgp_install(kernels cgp_linear_algebra cgp_kernels cgp_linear_algebra_header_only
-            cgp_kernels_header_only)
+cgp_install(kernels cgp_linear_algebra cgp_kernels)
 if(TARGET cgp_core)
-  cgp_install(core cgp_core cgp_core_header_only)
+  cgp_install(core cgp_core)
 endif()
 foreach(part cholmod metis slepc)
   if(TARGET cgp_${part})

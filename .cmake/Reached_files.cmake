@@ -1,5 +1,4 @@
-# Copyright (c) 2026 The Conformal Geometry Processing authors
-# SPDX-License-Identifier: LGPL-3.0-or-later
+# Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 # Which files a program needs, for builds of a part of it: what its sources include, and the files
 # that define what these declare.
 
@@ -20,14 +19,13 @@ function(cgp_included file result)
   set(${result} ${found} PARENT_SCOPE)
 endfunction()
 
-# The files that are reached from some, but for those that are left out. Of the candidates, a source
-# is reached with the header that it includes first, instances with any templates that they include:
-# cgp_reached(<result> <files> <candidates> <left out>)
-function(cgp_reached result files candidates left_out)
+# The files that are reached from some. Of the candidates, a source is reached with the header that it
+# includes first: cgp_reached(<result> <files> <candidates>)
+function(cgp_reached result files candidates)
   set(reached "")
   while(files)
     list(POP_FRONT files file)
-    if(NOT file IN_LIST reached AND NOT file IN_LIST left_out)
+    if(NOT file IN_LIST reached)
       list(APPEND reached ${file})
       cgp_included(${file} included)
       list(APPEND files ${included})
@@ -35,18 +33,11 @@ function(cgp_reached result files candidates left_out)
     if(NOT files)
       foreach(candidate IN LISTS candidates)
         cgp_included(${candidate} included)
-        if(candidate MATCHES "instances_impl\\.h$")
-          list(FILTER included INCLUDE REGEX "_templates\\.h$")
-        else()
-          list(SUBLIST included 0 1 included)
+        list(GET included 0 header)
+        if(header IN_LIST reached)
+          list(APPEND files ${candidate})
+          list(REMOVE_ITEM candidates ${candidate})
         endif()
-        foreach(header IN LISTS included)
-          if(header IN_LIST reached)
-            list(APPEND files ${candidate})
-            list(REMOVE_ITEM candidates ${candidate})
-            break()
-          endif()
-        endforeach()
       endforeach()
     endif()
   endwhile()

@@ -1,5 +1,4 @@
-# Copyright (c) 2026 The Conformal Geometry Processing authors
-# SPDX-License-Identifier: LGPL-3.0-or-later
+# Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 # The dense kernels of linear_algebra once more for each vector unit of the architecture that not
 # every machine has. The library chooses among them when a program runs; without this, or with
 # another compiler, it has those of every machine alone.
@@ -27,7 +26,7 @@ function(cgp_add_vector_units target)
   foreach(unit Avx2_unit Avx512_unit)
     set(source ${PROJECT_BINARY_DIR}/${unit}.cpp)
     file(CONFIGURE OUTPUT ${source} @ONLY CONTENT "#define CGP_VECTOR_UNIT ${unit}
-#include <Conformal_geometry_processing/linear_algebra/vector_units/compiled_kernels_impl.h>
+#include <Conformal_geometry_processing/linear_algebra/vector_units/compiled_kernels.cpp>
 ")
     set_source_files_properties(${source} PROPERTIES COMPILE_OPTIONS "${CGP_FLAGS_OF_${unit}}"
                                 SKIP_PRECOMPILE_HEADERS ON SKIP_UNITY_BUILD_INCLUSION ON)

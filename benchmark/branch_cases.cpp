@@ -1,5 +1,4 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 // How do results change with the amplitude of rho, and with a constant added to it? What lies next
 // to shifts of the spectrum that are eigenvalues? Prints a line of JSON for each amplitude of each
 // mesh, and one for each shift.

@@ -1,5 +1,4 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 // Is the eigenpair that solve_dirac_equation() finds the one that small steps in rho lead to, and
 // does it depend on a constant added to rho? Prints a line of JSON for each mesh, potential and
 // amplitude.

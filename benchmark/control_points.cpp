@@ -1,5 +1,4 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 
 /// Moves one of ten control points of surfaces, by `Conformal_deformation` and by CGAL's
 /// `Surface_mesh_deformation`, and drags it on in small steps. Prints a line of JSON for each mesh,

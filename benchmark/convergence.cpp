@@ -1,5 +1,4 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 
 /// Measures how the distortion of spin transformations falls with the length of the edges, and that
 /// of the conformal Willmore flow with the time step. Prints one line of JSON per mesh or time

@@ -1,5 +1,4 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 
 /// Moves handles of surfaces by CGAL's `Surface_mesh_deformation` (as rigid as possible), and
 /// computes the nearest spin transformation of the result: compares the preservation of angles and

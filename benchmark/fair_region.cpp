@@ -1,5 +1,4 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 
 /// Cuts disks out of surfaces, fills the holes by CGAL's `triangulate_and_refine_hole()`, and fairs
 /// them by CGAL's `fair()` with continuity 1 and 2 and by `conformal_fairing()`. Of meshes, it also

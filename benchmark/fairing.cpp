@@ -1,5 +1,4 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 
 /// Compares fairing methods as in the thesis: each has the same solver, the same processor time,
 /// and its largest stable time step, which is determined by a search. Prints lines of JSON for each

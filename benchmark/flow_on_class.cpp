@@ -1,5 +1,4 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 
 /// Compares the flow on the exact conformal class with the modified mean curvature flow [KSBC12] on
 /// the same connectivity, and its steps with the yardstick P, one scalar Poisson problem by CHOLMOD

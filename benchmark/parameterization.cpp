@@ -1,5 +1,4 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 
 /// Compares parameterizations: CGAL's, CGAL's with the solver of this library, and those of this
 /// library, all judged by the same measures. Prints a line of JSON for each mesh and method.

@@ -1,5 +1,4 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 // How much of rho is kept with a bound of 2 on the factors of lengths, what that costs, and what
 // happens without it? Prints a line of JSON for each closed mesh, potential and amplitude; with
 // --bounds for each mesh, amplitude of six rings and bound.

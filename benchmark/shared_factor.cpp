@@ -1,5 +1,4 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 // An edit of a surface with handles factors two matrices: X for rho, to find spins, and X for
 // rho = 0, to find what keeps handles closed. Would one factor do for both? Prints, for each mesh
 // and amplitude, the iterations that either takes with its own factor and with the other one.

@@ -1,5 +1,4 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 
 /// Compares the conformal Willmore flow with CGAL's `smooth_shape()`, a mean curvature flow that
 /// preserves angles better than most others: measures the triangles when the surface is equally

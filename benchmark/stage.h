@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef BENCHMARK_STAGE_H
-#define BENCHMARK_STAGE_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/linear_algebra/direct/Default_solver_traits.h>
 #include <Conformal_geometry_processing/operators/Curvature_potential.h>
@@ -77,5 +75,3 @@ inline void count_factor_entries(benchmark::State& state, const CGP::Solver_stat
 #define CGP_BENCHMARK(stage)                                                  \
   BENCHMARK(stage)->Arg(20)->Arg(41)->Arg(81)->MeasureProcessCPUTime()->Unit( \
       benchmark::kMillisecond)
-
-#endif

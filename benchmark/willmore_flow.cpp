@@ -1,5 +1,4 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 // The first step of the conformal Willmore flow, including everything that is computed once
 // (ordering, symbolic factorization, Laplacian, loops around handles), and the later ones without.
 #include <Conformal_geometry_processing/flow/Conformal_willmore_flow.h>

@@ -1,5 +1,4 @@
-# Copyright (c) 2026 The Conformal Geometry Processing authors
-# SPDX-License-Identifier: LGPL-3.0-or-later
+# Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 # The pictures of the manual. The target figure_<name> draws doc/figures/<name>.png or .svg anew,
 # from what the examples write; figures draws all of them. Those of measurements, which take hours
 # and a quiet machine, come with their pages: benchmark/deformers, benchmark/performance, ...

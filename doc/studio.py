@@ -1,5 +1,4 @@
-# Copyright (c) 2026 The Conformal Geometry Processing authors
-# SPDX-License-Identifier: LGPL-3.0-or-later
+# Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 """What the programs doc/draw_* share: their options, CGAL's meshes, running an example, and drawing
 surfaces side by side, all with the camera, the lamp and the colours of examples/render."""
 

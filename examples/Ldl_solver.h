@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef EXAMPLES_LDL_SOLVER_H
-#define EXAMPLES_LDL_SOLVER_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
 #include <Conformal_geometry_processing/linear_algebra/dense/Solver_status.h>
@@ -211,5 +209,3 @@ struct Ldl_solver_traits {
   using Solver = Ldl_solver<Scalar>;
 };
 //! [traits]
-
-#endif

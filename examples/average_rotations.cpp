@@ -1,5 +1,4 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 // Finds the rotations of many cameras from noisy measurements of how each is turned against its
 // neighbours: sparse linear algebra over the quaternions, without any surface.
 //

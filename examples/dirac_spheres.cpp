@@ -1,5 +1,4 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 // Transforms a mesh of a round sphere to Dirac spheres, whose curvature half-density is a multiple
 // of their length density, and writes the last of them.
 //

@@ -1,5 +1,4 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 // Drags the highest point of a surface, and holds points that are spread over the rest.
 //
 //   drag_a_handle [INPUT [OUTPUT.ply [DISTANCE]]]

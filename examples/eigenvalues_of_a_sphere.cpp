@@ -1,5 +1,4 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 // Finds eigenvalues of the quaternionic Dirac operator with their multiplicities, and writes the
 // mesh with the length |lambda| of the last eigenfunction at its vertices.
 //

@@ -1,5 +1,4 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 // Gives a surface with boundary, say a face, texture coordinates that keep angles.
 //
 //   flatten_a_face [INPUT [OUTPUT.ply [FLAT.ply]]]

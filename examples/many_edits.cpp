@@ -1,5 +1,4 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 // Edits one surface many times without a mesh class: reuses data from edit to edit, and counts the
 // calls of a user-defined linear solver.
 //

@@ -1,5 +1,4 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 // Finds the smoothest torus of a conformal class, from one that is far from smooth.
 //
 //   smoothest_torus [B [BEFORE.ply [AFTER.ply]]]    B from 1.06 to 3.7 [1.25]

@@ -1,5 +1,4 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 // Blows a soap film: bends the boundary of a dome, and relaxes it to constant mean curvature.
 //
 //   soap_film_cmc [INPUT [OUTPUT.ply]]

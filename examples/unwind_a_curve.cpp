@@ -1,5 +1,4 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 // Smooths a closed curve in the plane without stretching it, and draws it on its way.
 //
 //   unwind_a_curve [INPUT.txt [OUTPUT.svg]]

@@ -1,6 +1,5 @@
 #!/bin/bash
-# Copyright (c) 2026 The Conformal Geometry Processing authors
-# SPDX-License-Identifier: LGPL-3.0-or-later
+# Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #
 # Versions: Eigen 3.4.0 (Debian libeigen3-dev 3.4.0-4), CHOLMOD 3.0.14 (libsuitesparse-dev 1:5.12.0+dfsg-2).
 # Expected: solving for a matrix of no columns gives one of no columns, as Eigen::SimplicialLLT does.

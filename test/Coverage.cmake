@@ -1,6 +1,5 @@
-# Copyright (c) 2026 The Conformal Geometry Processing authors
-# SPDX-License-Identifier: LGPL-3.0-or-later
-# Which lines of the headers the tests run: with CGP_COVERAGE the compiled libraries and the tests
+# Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+# Which lines of the library the tests run: with CGP_COVERAGE the compiled libraries and the tests
 # count, and `cmake --build FOLDER --target coverage` adds up what they have counted.
 
 if(CGP_COVERAGE AND (NOT CMAKE_CXX_COMPILER_ID STREQUAL "GNU" OR CGP_SANITIZE))
@@ -20,7 +19,7 @@ if(CGP_COVERAGE)
     USES_TERMINAL VERBATIM)
 endif()
 
-# Has a target (PRIVATE), or those that link it (INTERFACE), count the lines of our headers that they
+# Has a target (PRIVATE), or those that link it (INTERFACE), count the lines of the library that they
 # run, also where those were inlined. Threads may lose a count: all that is asked is whether it is
 # zero. The pattern stands for /Conf|/test: g++ matches it for each function of all headers, and the
 # alternative took it as long as all else together.

@@ -1,5 +1,4 @@
-# Copyright (c) 2026 The Conformal Geometry Processing authors
-# SPDX-License-Identifier: LGPL-3.0-or-later
+# Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 # Damaged files for the readers and the program (doc/fuzzing.md). A few of them are tests; by the
 # thousand they are wanted with sanitizers, and then by hand: test/tools/fuzz.
 

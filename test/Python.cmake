@@ -1,5 +1,4 @@
-# Copyright (c) 2026 The Conformal Geometry Processing authors
-# SPDX-License-Identifier: LGPL-3.0-or-later
+# Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 # The Python module: test/python/test_*.py by pytest, with the module of the build folder. A Python
 # that was not built with a sanitizer cannot load a module that was.
 

@@ -1,5 +1,4 @@
-# Copyright (c) 2026 The Conformal Geometry Processing authors
-# SPDX-License-Identifier: LGPL-3.0-or-later
+# Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 # Checks of the sources themselves: layers, licences, lengths, ... one ctest each, `sources.<what>`.
 
 find_package(Python3 QUIET COMPONENTS Interpreter)

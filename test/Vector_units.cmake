@@ -1,5 +1,4 @@
-# Copyright (c) 2026 The Conformal Geometry Processing authors
-# SPDX-License-Identifier: LGPL-3.0-or-later
+# Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 # What the linker must not mix: code compiled for different vector units in one program.
 
 if(NOT CGP_HAS_X86_UNITS)
@@ -8,7 +7,19 @@ endif()
 
 # Two files for different units over the compiled library give the same bits. Used header-only, they
 # give right results.
-foreach(library linear_algebra linear_algebra_header_only)
+find_package(Python3 QUIET COMPONENTS Interpreter)
+set(libraries linear_algebra)
+if(Python3_FOUND)
+  add_custom_target(header_only ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/tools/header_only.py
+                                ${CMAKE_CURRENT_BINARY_DIR}/header_only VERBATIM)
+  add_library(cgp_header_only INTERFACE)
+  add_dependencies(cgp_header_only header_only)
+  target_include_directories(cgp_header_only INTERFACE ${CMAKE_CURRENT_BINARY_DIR}/header_only)
+  target_compile_definitions(cgp_header_only INTERFACE CGP_HEADER_ONLY)
+  target_link_libraries(cgp_header_only INTERFACE Eigen3::Eigen Threads::Threads)
+  list(APPEND libraries header_only)
+endif()
+foreach(library IN LISTS libraries)
   foreach(unit baseline avx2)
     set(part two_targets.${library}.${unit})
     add_library(${part} OBJECT tools/two_targets.cpp)
@@ -27,7 +38,6 @@ foreach(library linear_algebra linear_algebra_header_only)
 endforeach()
 
 # No file of the library defines what belongs to the unit of another one.
-find_package(Python3 QUIET COMPONENTS Interpreter)
 if(Python3_FOUND AND CMAKE_NM)
   add_test(NAME sources.vector_symbols COMMAND_EXPAND_LISTS
            COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/tools/check_vector_symbols.py

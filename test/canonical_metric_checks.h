@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_CANONICAL_METRIC_CHECKS_H
-#define TEST_CANONICAL_METRIC_CHECKS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/canonical_metric.h>
 
@@ -55,5 +53,3 @@ void expect_canonical_metric(Mesh& mesh, double tolerance)
 }
 
 }  // namespace cgp_test
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_COMPONENTS_CHECKS_H
-#define TEST_COMPONENTS_CHECKS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/conformal_parameterization_components.h>
 #include <Conformal_geometry_processing/conformal_willmore_flow_components.h>
@@ -159,5 +157,3 @@ void expect_flat_images_as_alone()
 }
 
 }  // namespace cgp_test
-
-#endif

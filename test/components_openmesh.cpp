@@ -1,5 +1,4 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 // Tests spin_transform_components.h, conformal_willmore_flow_components.h
 // Tests conformal_parameterization_components.h, core/for_each_component.h
 #include <OpenMesh/Core/IO/MeshIO.hh>

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_CONFORMAL_WILLMORE_FLOW_CHECKS_H
-#define TEST_CONFORMAL_WILLMORE_FLOW_CHECKS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/conformal_willmore_flow.h>
 
@@ -32,5 +30,3 @@ void expect_flow(Mesh mesh, double tolerance)
 }
 
 }  // namespace cgp_test
-
-#endif

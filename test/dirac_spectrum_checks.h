@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_DIRAC_SPECTRUM_CHECKS_H
-#define TEST_DIRAC_SPECTRUM_CHECKS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/dirac_spectrum.h>
 #include <Conformal_geometry_processing/dirac_sphere.h>
@@ -49,5 +47,3 @@ void expect_dirac_sphere(Mesh mesh, double accuracy)
 }
 
 }  // namespace cgp_test
-
-#endif

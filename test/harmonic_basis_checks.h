@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_HARMONIC_BASIS_CHECKS_H
-#define TEST_HARMONIC_BASIS_CHECKS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/harmonic_basis.h>
 
@@ -92,5 +90,3 @@ void expect_basis_of_the_view(const Mesh& mesh)
 }
 
 }  // namespace cgp_test
-
-#endif

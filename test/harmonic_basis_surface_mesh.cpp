@@ -1,5 +1,4 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 // Tests harmonic_basis.h, core/Harmonic_forms.h
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

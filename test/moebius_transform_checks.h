@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_MOEBIUS_TRANSFORM_CHECKS_H
-#define TEST_MOEBIUS_TRANSFORM_CHECKS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/moebius_transform.h>
 
@@ -69,5 +67,3 @@ void expect_moebius_transforms(const Mesh& original, double tolerance)
 }
 
 }  // namespace cgp_test
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_SHAPE_EDITING_CHECKS_H
-#define TEST_SHAPE_EDITING_CHECKS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/core/Associated_property_map.h>
 #include <Conformal_geometry_processing/filter_curvature.h>
@@ -113,5 +111,3 @@ inline Mesh_view cap_to_flatten()
 }
 
 }  // namespace cgp_test
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_SPIN_TRANSFORM_BOUNDARY_CHECKS_H
-#define TEST_SPIN_TRANSFORM_BOUNDARY_CHECKS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "spin_transform_checks.h"
 #include "support/bounded_meshes.h"
@@ -97,5 +95,3 @@ void expect_transformation_with_boundary(Mesh mesh, double tolerance)
 }
 
 }  // namespace cgp_test
-
-#endif

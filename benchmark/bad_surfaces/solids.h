@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef BENCHMARK_BAD_SURFACES_SOLIDS_H
-#define BENCHMARK_BAD_SURFACES_SOLIDS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
@@ -43,5 +41,3 @@ Mesh random_vessel(Chance& chance);
 Mesh random_cut(Chance& chance, const Mesh& mesh);
 
 }  // namespace cgp_benchmark
-
-#endif

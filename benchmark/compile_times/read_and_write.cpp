@@ -1,5 +1,4 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 // The part of examples/first_program.cpp without this library, to measure the compile time of CGAL.
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Simple_cartesian.h>

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef BENCHMARK_CONVERGENCE_CLOSED_FORMS_H
-#define BENCHMARK_CONVERGENCE_CLOSED_FORMS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Eigen/Core>
 
@@ -77,5 +75,3 @@ inline double bump(const Point& p)
 }
 
 }  // namespace cgp_benchmark
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef BENCHMARK_CONVERGENCE_IRREGULAR_MESHES_H
-#define BENCHMARK_CONVERGENCE_IRREGULAR_MESHES_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <cmath>
 #include <utility>
@@ -55,5 +53,3 @@ inline cgp_test::Mesh_view irregular_torus(int n)
 }
 
 }  // namespace cgp_benchmark
-
-#endif

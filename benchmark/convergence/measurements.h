@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef BENCHMARK_CONVERGENCE_MEASUREMENTS_H
-#define BENCHMARK_CONVERGENCE_MEASUREMENTS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 namespace cgp_benchmark {
 
@@ -15,5 +13,3 @@ void measure_convergence_in_time();
 void measure_handles();
 
 }  // namespace cgp_benchmark
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef BENCHMARK_FAIRING_BI_LAPLACIAN_H
-#define BENCHMARK_FAIRING_BI_LAPLACIAN_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 
@@ -60,5 +58,3 @@ class Bi_laplacian {
 };
 
 }  // namespace cgp_benchmark
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef BENCHMARK_FAIRING_METHOD_H
-#define BENCHMARK_FAIRING_METHOD_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <functional>
 #include <string>
@@ -48,5 +46,3 @@ std::vector<Method> competing_methods();
 bool check_methods();
 
 }  // namespace cgp_benchmark
-
-#endif

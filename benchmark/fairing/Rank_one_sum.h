@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef BENCHMARK_FAIRING_RANK_ONE_SUM_H
-#define BENCHMARK_FAIRING_RANK_ONE_SUM_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
 
@@ -94,5 +92,3 @@ class Rank_one_sum {
 };
 
 }  // namespace cgp_benchmark
-
-#endif

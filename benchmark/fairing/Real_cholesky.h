@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef BENCHMARK_FAIRING_REAL_CHOLESKY_H
-#define BENCHMARK_FAIRING_REAL_CHOLESKY_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Supernodal_cholesky.h>
@@ -47,5 +45,3 @@ class Real_cholesky {
 };
 
 }  // namespace cgp_benchmark
-
-#endif

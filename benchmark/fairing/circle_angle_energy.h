@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef BENCHMARK_FAIRING_CIRCLE_ANGLE_ENERGY_H
-#define BENCHMARK_FAIRING_CIRCLE_ANGLE_ENERGY_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 
@@ -95,5 +93,3 @@ inline CGP::Points circle_angle_gradient(const CGP::Mesh_view& mesh)
 }
 
 }  // namespace cgp_benchmark
-
-#endif

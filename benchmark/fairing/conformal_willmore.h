@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef BENCHMARK_FAIRING_CONFORMAL_WILLMORE_H
-#define BENCHMARK_FAIRING_CONFORMAL_WILLMORE_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/flow/Conformal_willmore_flow.h>
 
@@ -49,5 +47,3 @@ class Conformal_willmore : public Fairing_flow {
 };
 
 }  // namespace cgp_benchmark
-
-#endif

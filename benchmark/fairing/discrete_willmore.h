@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef BENCHMARK_FAIRING_DISCRETE_WILLMORE_H
-#define BENCHMARK_FAIRING_DISCRETE_WILLMORE_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/operators/cotan_laplacian.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
@@ -42,5 +40,3 @@ class Discrete_willmore : public Flow_of_positions {
 };
 
 }  // namespace cgp_benchmark
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef BENCHMARK_FAIRING_EXPLICIT_FLOWS_H
-#define BENCHMARK_FAIRING_EXPLICIT_FLOWS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 
@@ -49,5 +47,3 @@ class Explicit_bi_laplacian : public Flow_of_positions {
 };
 
 }  // namespace cgp_benchmark
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef BENCHMARK_FAIRING_IMPLICIT_MEAN_CURVATURE_H
-#define BENCHMARK_FAIRING_IMPLICIT_MEAN_CURVATURE_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 #include <Conformal_geometry_processing/operators/vertex_graph.h>
@@ -37,5 +35,3 @@ class Implicit_mean_curvature : public Flow_of_positions {
 };
 
 }  // namespace cgp_benchmark
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef BENCHMARK_FAIRING_ISOMETRIC_BENDING_H
-#define BENCHMARK_FAIRING_ISOMETRIC_BENDING_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/operators/cotan_laplacian.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
@@ -113,5 +111,3 @@ class Isometric_bending_of_the_input : public Flow_of_positions {
 };
 
 }  // namespace cgp_benchmark
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef BENCHMARK_FAIRING_LAPLACIAN_H
-#define BENCHMARK_FAIRING_LAPLACIAN_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 #include <Conformal_geometry_processing/operators/cotan_laplacian.h>
@@ -43,5 +41,3 @@ inline void assemble_implicit_step(const CGP::Mesh_view& mesh, const Eigen::Vect
 }
 
 }  // namespace cgp_benchmark
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef BENCHMARK_FAIRING_SEARCH_STEP_H
-#define BENCHMARK_FAIRING_SEARCH_STEP_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/exceptions.h>
 
@@ -64,5 +62,3 @@ inline Search search_step(const Method& method, const CGP::Mesh_view& mesh, doub
 }
 
 }  // namespace cgp_benchmark
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef BENCHMARK_FAIRING_UNIT_FRAME_H
-#define BENCHMARK_FAIRING_UNIT_FRAME_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 
@@ -28,5 +26,3 @@ inline CGP::Points positions_in_unit_frame(const CGP::Mesh_view& mesh)
 }
 
 }  // namespace cgp_benchmark
-
-#endif

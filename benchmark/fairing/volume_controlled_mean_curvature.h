@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef BENCHMARK_FAIRING_VOLUME_CONTROLLED_MEAN_CURVATURE_H
-#define BENCHMARK_FAIRING_VOLUME_CONTROLLED_MEAN_CURVATURE_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/measure/energies.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
@@ -59,5 +57,3 @@ class Volume_controlled_mean_curvature : public Flow_of_positions {
 };
 
 }  // namespace cgp_benchmark
-
-#endif

@@ -1,5 +1,4 @@
-# Copyright (c) 2026 The Conformal Geometry Processing authors
-# SPDX-License-Identifier: LGPL-3.0-or-later
+# Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 """Outputs that cannot be written, odd names, and a locale with a decimal comma."""
 
 import os

@@ -1,5 +1,4 @@
-# Copyright (c) 2026 The Conformal Geometry Processing authors
-# SPDX-License-Identifier: LGPL-3.0-or-later
+# Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 """A copy of the sources whose headers hold all mutants, and the tests compiled from it, once."""
 
 import json
@@ -15,7 +14,7 @@ COPIED = [".cmake", ".install", "CMakeLists.txt", "README.md", "benchmark/suppor
           "examples", "include", "test"]
 FLAGS = ["-DCMAKE_BUILD_TYPE=Release", "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -w", "-DCGP_BUILD_DOC=OFF",
          "-DCGP_BUILD_BENCHMARKS=OFF", "-DCGP_BUILD_EXAMPLES=OFF", "-DCGP_HTML_REPORT=OFF"]
-ERROR = re.compile(LIBRARY + r"/([\w./]+\.h):(\d+):")
+ERROR = re.compile(LIBRARY + r"/([\w./]+\.(?:h|cpp)):(\d+):")
 
 
 def write_if_new(place, data):

@@ -1,5 +1,4 @@
-# Copyright (c) 2026 The Conformal Geometry Processing authors
-# SPDX-License-Identifier: LGPL-3.0-or-later
+# Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 """doc/mutations.md: which broken formulas the tests notice, and why the others may live."""
 
 import json
@@ -9,9 +8,9 @@ from page.tables import table
 
 INTRODUCTION = """# Do the tests notice a wrong formula?
 
-Written by `benchmark/mutate`, which breaks the headers of `operators/`, `spin/` and `flow/` in one place at a
+Written by `benchmark/mutate`, which breaks the files of `operators/`, `spin/` and `flow/` in one place at a
 time: a sign, a factor, a root, a conjugation, a division. A mutant is *killed* if a test that comes past it
-fails, ends early or does not end. All mutants are compiled into one copy of the headers, and the environment
+fails, ends early or does not end. All mutants are compiled into one copy of the files, and the environment
 chooses one, so that each test is compiled once; which line a test comes past is noted in a run without mutants.
 The tests are those of the three folders; of those that come past a mutant, the quickest
 are run, which take {seconds:g} seconds together without it.

@@ -1,5 +1,4 @@
-# Copyright (c) 2026 The Conformal Geometry Processing authors
-# SPDX-License-Identifier: LGPL-3.0-or-later
+# Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 """Formulas broken on purpose: one sign, factor, root, conjugation or division of a header at a time.
 
 A mutant is a change of one line. Instead of compiling each, `switchable` writes all of a header into
@@ -75,7 +74,6 @@ def switchable(ids, text):
         line = lines[mutant.line - 1]
         switch = mutant.switch.replace("{}", f"mutation::Mutant{{{number}}}")
         lines[mutant.line - 1] = line[:start] + switch + line[end:]
-    guard = next(i for i, line in enumerate(lines) if line.startswith("#define "))
-    lines[guard] += "#include <Conformal_geometry_processing/mutation.h>\n"
-    lines[guard + 1] = f"#line {guard + 2}\n" + lines[guard + 1]
+    first = next(i for i, line in enumerate(lines) if line.startswith("#include"))
+    lines[first] = f"#include <Conformal_geometry_processing/mutation.h>\n#line {first + 1}\n" + lines[first]
     return "".join(lines)

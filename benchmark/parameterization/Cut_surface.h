@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef BENCHMARK_PARAMETERIZATION_CUT_SURFACE_H
-#define BENCHMARK_PARAMETERIZATION_CUT_SURFACE_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <CGAL/boost/graph/graph_traits_Surface_mesh.h>
 // after the traits of its mesh
@@ -43,5 +41,3 @@ class Cut_surface {
 std::vector<Method> orbifold_methods(Cut_surface& cut);
 
 }  // namespace cgp_benchmark
-
-#endif

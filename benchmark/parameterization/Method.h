@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef BENCHMARK_PARAMETERIZATION_METHOD_H
-#define BENCHMARK_PARAMETERIZATION_METHOD_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -36,5 +34,3 @@ std::vector<Method> our_methods();
 Method reference_method();
 
 }  // namespace cgp_benchmark
-
-#endif

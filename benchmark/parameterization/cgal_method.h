@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef BENCHMARK_PARAMETERIZATION_CGAL_METHOD_H
-#define BENCHMARK_PARAMETERIZATION_CGAL_METHOD_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
 
@@ -26,5 +24,3 @@ Method cgal_method(const std::string& name, Parameterizer parameterizer)
 }
 
 }  // namespace cgp_benchmark
-
-#endif

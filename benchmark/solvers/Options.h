@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef BENCHMARK_SOLVERS_OPTIONS_H
-#define BENCHMARK_SOLVERS_OPTIONS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/linear_algebra/vector_units/Vector_unit.h>
 
@@ -84,5 +82,3 @@ inline Options read_options(int argc, char** argv)
 }
 
 }  // namespace cgp_benchmark
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef BENCHMARK_SOLVERS_ROW_H
-#define BENCHMARK_SOLVERS_ROW_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 
@@ -66,5 +64,3 @@ void add_spectra(std::vector<Row>& rows);
 void add_threads(std::vector<Row>& rows);
 
 }  // namespace cgp_benchmark
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef BENCHMARK_SOLVERS_FACTORS_H
-#define BENCHMARK_SOLVERS_FACTORS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/linear_algebra/dense/Solver_status.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Ordering.h>
@@ -99,5 +97,3 @@ void measure_factor(const Job& job, const CGP::Mesh_view& mesh, Record& record)
 }
 
 }  // namespace cgp_benchmark
-
-#endif

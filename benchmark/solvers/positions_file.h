@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef BENCHMARK_SOLVERS_POSITIONS_FILE_H
-#define BENCHMARK_SOLVERS_POSITIONS_FILE_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 
@@ -35,5 +33,3 @@ inline CGP::Points read_positions(const std::string& path)
 }
 
 }  // namespace cgp_benchmark
-
-#endif

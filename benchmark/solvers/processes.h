@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef BENCHMARK_SOLVERS_PROCESSES_H
-#define BENCHMARK_SOLVERS_PROCESSES_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <sys/wait.h>
 #include <unistd.h>
@@ -35,5 +33,3 @@ inline std::string run_anew(std::vector<std::string> arguments)
 }
 
 }  // namespace cgp_benchmark
-
-#endif

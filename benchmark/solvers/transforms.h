@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef BENCHMARK_SOLVERS_TRANSFORMS_H
-#define BENCHMARK_SOLVERS_TRANSFORMS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/measure/alignment.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
@@ -80,5 +78,3 @@ void measure_transform(const Job& job, const CGP::Mesh_view& mesh, Record& recor
 }
 
 }  // namespace cgp_benchmark
-
-#endif

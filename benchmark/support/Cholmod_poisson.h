@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef BENCHMARK_SUPPORT_CHOLMOD_POISSON_H
-#define BENCHMARK_SUPPORT_CHOLMOD_POISSON_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/operators/cotan_laplacian.h>
 #include <Conformal_geometry_processing/operators/vertex_graph.h>
@@ -120,5 +118,3 @@ struct Poisson_seconds {
 };
 
 }  // namespace cgp_benchmark
-
-#endif

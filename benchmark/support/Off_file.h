@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef BENCHMARK_SUPPORT_OFF_FILE_H
-#define BENCHMARK_SUPPORT_OFF_FILE_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 
@@ -56,5 +54,3 @@ inline CGP::Mesh_view read_off(const std::string& path)
 }
 
 }  // namespace cgp_benchmark
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef BENCHMARK_SUPPORT_RECORD_H
-#define BENCHMARK_SUPPORT_RECORD_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <cmath>
 #include <cstdio>
@@ -48,5 +46,3 @@ class Record {
 };
 
 }  // namespace cgp_benchmark
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef BENCHMARK_SUPPORT_WILLMORE_FLOW_H
-#define BENCHMARK_SUPPORT_WILLMORE_FLOW_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/operators/mean_curvature.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
@@ -42,5 +40,3 @@ class Willmore_flow {
 };
 
 }  // namespace cgp_benchmark
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef BENCHMARK_SUPPORT_CLOCK_H
-#define BENCHMARK_SUPPORT_CLOCK_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <algorithm>
 #include <chrono>
@@ -45,5 +43,3 @@ void keep_least(double& seconds, Action action)
 }
 
 }  // namespace cgp_benchmark
-
-#endif

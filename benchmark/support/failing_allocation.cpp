@@ -1,5 +1,4 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 //
 // To be preloaded (LD_PRELOAD): the allocation of number FAIL_ALLOCATION fails, once; they are
 // counted from the begin of main(), for before it nobody can handle a failure. Without the variable

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef BENCHMARK_SUPPORT_MEMORY_H
-#define BENCHMARK_SUPPORT_MEMORY_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <malloc.h>
 
@@ -35,5 +33,3 @@ double peak_bytes(Stage stage)
 }
 
 }  // namespace cgp_benchmark
-
-#endif

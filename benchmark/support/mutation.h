@@ -1,7 +1,6 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CGP_BENCHMARK_SUPPORT_MUTATION_H
-#define CGP_BENCHMARK_SUPPORT_MUTATION_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
+
 #include <gtest/gtest.h>
 #include <Eigen/Core>
 #include <cmath>
@@ -119,5 +118,3 @@ inline const bool is_recording = [] {
 }();
 
 }  // namespace mutation
-
-#endif

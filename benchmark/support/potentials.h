@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef BENCHMARK_SUPPORT_POTENTIALS_H
-#define BENCHMARK_SUPPORT_POTENTIALS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 #include <Conformal_geometry_processing/operators/Curvature_potential.h>
@@ -51,5 +49,3 @@ inline CGP::Curvature_potential sampled(const CGP::Mesh_view& mesh, const Potent
 }
 
 }  // namespace cgp_benchmark
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef BENCHMARK_SUPPORT_SURFACE_MESH_H
-#define BENCHMARK_SUPPORT_SURFACE_MESH_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 
@@ -46,5 +44,3 @@ inline CGP::Points positions(const Mesh& mesh)
 }
 
 }  // namespace cgp_benchmark
-
-#endif

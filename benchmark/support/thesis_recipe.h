@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef BENCHMARK_SUPPORT_THESIS_RECIPE_H
-#define BENCHMARK_SUPPORT_THESIS_RECIPE_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/algebra/quaternion_blocks.h>
 #include <Conformal_geometry_processing/operators/Curvature_potential.h>
@@ -124,5 +122,3 @@ inline CGP::Points thesis_recipe(const CGP::Mesh_view& mesh, const CGP::Curvatur
 }
 
 }  // namespace cgp_benchmark
-
-#endif

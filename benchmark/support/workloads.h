@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef BENCHMARK_SUPPORT_WORKLOADS_H
-#define BENCHMARK_SUPPORT_WORKLOADS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/operators/Curvature_potential.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
@@ -71,5 +69,3 @@ inline CGP::Curvature_potential smooth_potential(const CGP::Mesh_view& mesh, dou
 }
 
 }  // namespace cgp_benchmark
-
-#endif

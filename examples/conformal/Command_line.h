@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_COMMAND_LINE_H
-#define CONFORMAL_COMMAND_LINE_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "conformal/commands/Command.h"
 
@@ -22,5 +20,3 @@ struct Command_line {
 Command_line parse_command_line(int argc, const char* const* argv);
 
 }  // namespace conformal
-
-#endif

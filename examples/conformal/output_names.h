@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_OUTPUT_NAMES_H
-#define CONFORMAL_OUTPUT_NAMES_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "Command_line.h"
 
@@ -15,5 +13,3 @@ namespace conformal {
 void require_separate_outputs(const Command_line& line);
 
 }  // namespace conformal
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_RUN_H
-#define CONFORMAL_RUN_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 namespace conformal {
 
@@ -10,5 +8,3 @@ namespace conformal {
 int run(int argc, const char* const* argv);
 
 }  // namespace conformal
-
-#endif

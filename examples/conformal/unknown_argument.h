@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_UNKNOWN_ARGUMENT_H
-#define CONFORMAL_UNKNOWN_ARGUMENT_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <string>
 
@@ -20,5 +18,3 @@ std::string fault_of_unknown_argument(const CLI::App& app);
 std::string help_command(const CLI::App& app);
 
 }  // namespace conformal
-
-#endif

@@ -1,5 +1,4 @@
-# Copyright (c) 2026 The Conformal Geometry Processing authors
-# SPDX-License-Identifier: LGPL-3.0-or-later
+# Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 """An add-on for Blender: in Object mode, the menu Object > Conformal geometry.
 
 Install it by Edit > Preferences > Add-ons > Install; Blender's Python needs the module

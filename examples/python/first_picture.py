@@ -1,6 +1,5 @@
 #!/usr/bin/env python3
-# Copyright (c) 2026 The Conformal Geometry Processing authors
-# SPDX-License-Identifier: LGPL-3.0-or-later
+# Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 """Strings beads on a ring: a torus whose mean curvature is changed by rings of rho.
 
 usage: first_picture.py [OUTPUT.ply [PICTURE.png]]

@@ -1,6 +1,5 @@
 #!/usr/bin/env python3
-# Copyright (c) 2026 The Conformal Geometry Processing authors
-# SPDX-License-Identifier: LGPL-3.0-or-later
+# Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 """Finds the change of mean curvature that leads to a surface of given curvature, by 50 gradient
 steps: spin transformations are differentiable, so they can be layers of any optimisation.
 

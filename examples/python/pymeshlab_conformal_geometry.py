@@ -1,6 +1,5 @@
 #!/usr/bin/env python3
-# Copyright (c) 2026 The Conformal Geometry Processing authors
-# SPDX-License-Identifier: LGPL-3.0-or-later
+# Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 """Edits meshes in PyMeshLab by their curvature, without shear: spin() and flow() work on the current
 mesh of a MeshSet, as its filters do, and keep colours, texture coordinates and attributes.
 

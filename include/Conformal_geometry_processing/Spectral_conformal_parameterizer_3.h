@@ -1,8 +1,6 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 // Includes headers of CGAL under the GPL, which then applies to programs that use this header.
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPECTRAL_CONFORMAL_PARAMETERIZER_3_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SPECTRAL_CONFORMAL_PARAMETERIZER_3_H
+#pragma once
 
 #include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
@@ -162,5 +160,3 @@ class Spectral_conformal_parameterizer_3 {
 };
 
 }  // namespace Conformal_geometry_processing
-
-#endif

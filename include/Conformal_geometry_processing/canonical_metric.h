@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_CANONICAL_METRIC_H
-#define CONFORMAL_GEOMETRY_PROCESSING_CANONICAL_METRIC_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/core/Graph_view.h>
 #include <Conformal_geometry_processing/core/dirac_parameters.h>
@@ -104,5 +102,3 @@ Canonical_metric_report canonical_metric(const TriangleMesh& mesh, DensityMap de
 }
 
 }  // namespace Conformal_geometry_processing
-
-#endif

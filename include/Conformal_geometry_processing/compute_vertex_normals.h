@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_COMPUTE_VERTEX_NORMALS_H
-#define CONFORMAL_GEOMETRY_PROCESSING_COMPUTE_VERTEX_NORMALS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/core/Graph_view.h>
 #include <Conformal_geometry_processing/core/named_parameters.h>
@@ -50,5 +48,3 @@ void compute_vertex_normals(const TriangleMesh& mesh, VertexNormalMap normals,
 }
 
 }  // namespace Conformal_geometry_processing
-
-#endif

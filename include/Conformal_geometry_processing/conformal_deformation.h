@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_CONFORMAL_DEFORMATION_H
-#define CONFORMAL_GEOMETRY_PROCESSING_CONFORMAL_DEFORMATION_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/core/Graph_view.h>
 #include <Conformal_geometry_processing/core/control_points.h>
@@ -216,5 +214,3 @@ Spin_report conformal_deformation(TriangleMesh& mesh, const TargetRange& targets
 }
 
 }  // namespace Conformal_geometry_processing
-
-#endif

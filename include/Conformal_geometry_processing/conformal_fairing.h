@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_CONFORMAL_FAIRING_H
-#define CONFORMAL_GEOMETRY_PROCESSING_CONFORMAL_FAIRING_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/core/Graph_view.h>
 #include <Conformal_geometry_processing/core/named_parameters.h>
@@ -155,5 +153,3 @@ internal::Fairing_report conformal_fairing(TriangleMesh& mesh, const FaceRange& 
 }
 
 }  // namespace Conformal_geometry_processing
-
-#endif

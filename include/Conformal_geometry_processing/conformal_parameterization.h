@@ -1,10 +1,9 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_CONFORMAL_PARAMETERIZATION_H
-#define CONFORMAL_GEOMETRY_PROCESSING_CONFORMAL_PARAMETERIZATION_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/core/Graph_view.h>
 #include <Conformal_geometry_processing/core/named_parameters.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Solver_ref.h>
 #include <Conformal_geometry_processing/parameterization/spectral_parameterization.h>
 
 #include <boost/property_map/property_map.hpp>
@@ -153,5 +152,3 @@ Parameterization_report conformal_parameterization(
 }
 
 }  // namespace Conformal_geometry_processing
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_CONFORMAL_PARAMETERIZATION_COMPONENTS_H
-#define CONFORMAL_GEOMETRY_PROCESSING_CONFORMAL_PARAMETERIZATION_COMPONENTS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/conformal_parameterization.h>
 #include <Conformal_geometry_processing/core/for_each_component.h>
@@ -60,5 +58,3 @@ internal::Component_reports<Parameterization_report> conformal_parameterization_
 }
 
 }  // namespace Conformal_geometry_processing
-
-#endif

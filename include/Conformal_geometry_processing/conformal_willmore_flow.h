@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_CONFORMAL_WILLMORE_FLOW_H
-#define CONFORMAL_GEOMETRY_PROCESSING_CONFORMAL_WILLMORE_FLOW_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/core/Graph_view.h>
 #include <Conformal_geometry_processing/core/boundary_parameters.h>
@@ -11,6 +9,7 @@
 #include <Conformal_geometry_processing/core/write_points.h>
 #include <Conformal_geometry_processing/flow/Conformal_willmore_flow.h>
 #include <Conformal_geometry_processing/flow/Flow_visitor.h>
+#include <Conformal_geometry_processing/linear_algebra/krylov/Eigensolver_ref.h>
 
 #include <CGAL/number_utils.h>
 
@@ -279,5 +278,3 @@ Flow_report conformal_willmore_flow(TriangleMesh& mesh,
 }
 
 }  // namespace Conformal_geometry_processing
-
-#endif

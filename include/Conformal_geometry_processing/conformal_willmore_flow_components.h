@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_CONFORMAL_WILLMORE_FLOW_COMPONENTS_H
-#define CONFORMAL_GEOMETRY_PROCESSING_CONFORMAL_WILLMORE_FLOW_COMPONENTS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/conformal_willmore_flow.h>
 #include <Conformal_geometry_processing/core/for_each_component.h>
@@ -61,5 +59,3 @@ internal::Component_reports<Flow_report> conformal_willmore_flow_components(
 }
 
 }  // namespace Conformal_geometry_processing
-
-#endif

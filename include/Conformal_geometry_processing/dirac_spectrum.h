@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_DIRAC_SPECTRUM_H
-#define CONFORMAL_GEOMETRY_PROCESSING_DIRAC_SPECTRUM_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/core/Graph_view.h>
 #include <Conformal_geometry_processing/core/boundary_parameters.h>
@@ -142,5 +140,3 @@ internal::Dirac_spectrum dirac_spectrum(const TriangleMesh& mesh, int count,
 }
 
 }  // namespace Conformal_geometry_processing
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_DIRAC_SPHERE_H
-#define CONFORMAL_GEOMETRY_PROCESSING_DIRAC_SPHERE_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/core/Graph_view.h>
 #include <Conformal_geometry_processing/core/dirac_parameters.h>
@@ -80,5 +78,3 @@ Spin_report dirac_sphere(TriangleMesh& mesh, int kappa, int s,
 }
 
 }  // namespace Conformal_geometry_processing
-
-#endif

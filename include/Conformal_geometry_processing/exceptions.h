@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_EXCEPTIONS_H
-#define CONFORMAL_GEOMETRY_PROCESSING_EXCEPTIONS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <stdexcept>
 #include <string>
@@ -47,5 +45,3 @@ inline bool is_out_of_memory(const Solver_error& error)
 }
 
 }  // namespace Conformal_geometry_processing
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_FILTER_CURVATURE_H
-#define CONFORMAL_GEOMETRY_PROCESSING_FILTER_CURVATURE_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/core/Graph_view.h>
 #include <Conformal_geometry_processing/core/dirac_parameters.h>
@@ -102,5 +100,3 @@ void filter_curvature(const TriangleMesh& mesh, VertexMap values, Curvature_band
 }
 
 }  // namespace Conformal_geometry_processing
-
-#endif

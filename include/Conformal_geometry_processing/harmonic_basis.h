@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_HARMONIC_BASIS_H
-#define CONFORMAL_GEOMETRY_PROCESSING_HARMONIC_BASIS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/core/Graph_view.h>
 #include <Conformal_geometry_processing/core/Harmonic_forms.h>
@@ -10,6 +8,7 @@
 #include <Conformal_geometry_processing/core/named_parameters.h>
 #include <Conformal_geometry_processing/forms/Hodge_decomposition.h>
 #include <Conformal_geometry_processing/forms/random_closed_forms.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Solver_ref.h>
 #include <Conformal_geometry_processing/mesh/Normalized_frame.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Conformal_geometry_processing/operators/cotan_laplacian.h>
@@ -124,5 +123,3 @@ auto harmonic_basis(const TriangleMesh& mesh,
 }
 
 }  // namespace Conformal_geometry_processing
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_ISOMETRIC_CURVE_FLOW_H
-#define CONFORMAL_GEOMETRY_PROCESSING_ISOMETRIC_CURVE_FLOW_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/core/named_parameters.h>
 #include <Conformal_geometry_processing/core/point_ranges.h>
@@ -121,5 +119,3 @@ Curve_flow_report isometric_curve_flow(PointRange& points,
 }
 
 }  // namespace Conformal_geometry_processing
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_MINIMAL_SURFACE_H
-#define CONFORMAL_GEOMETRY_PROCESSING_MINIMAL_SURFACE_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/core/Graph_view.h>
 #include <Conformal_geometry_processing/core/boundary_parameters.h>
@@ -85,5 +83,3 @@ Spin_report minimal_surface(TriangleMesh& mesh,
 }
 
 }  // namespace Conformal_geometry_processing
-
-#endif

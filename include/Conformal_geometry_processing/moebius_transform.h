@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_MOEBIUS_TRANSFORM_H
-#define CONFORMAL_GEOMETRY_PROCESSING_MOEBIUS_TRANSFORM_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/algebra/Moebius_map.h>
 #include <Conformal_geometry_processing/core/Graph_view.h>
@@ -136,5 +134,3 @@ internal::Moebius_report invert_in_sphere(TriangleMesh& mesh, const Point& cente
 }
 
 }  // namespace Conformal_geometry_processing
-
-#endif

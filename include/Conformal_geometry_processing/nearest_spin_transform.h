@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_NEAREST_SPIN_TRANSFORM_H
-#define CONFORMAL_GEOMETRY_PROCESSING_NEAREST_SPIN_TRANSFORM_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/core/Graph_view.h>
 #include <Conformal_geometry_processing/core/boundary_parameters.h>
@@ -213,5 +211,3 @@ Nearest_spin_report nearest_spin_transform(TriangleMesh& mesh, PointMap target_p
 }
 
 }  // namespace Conformal_geometry_processing
-
-#endif

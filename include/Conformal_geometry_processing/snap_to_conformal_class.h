@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SNAP_TO_CONFORMAL_CLASS_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SNAP_TO_CONFORMAL_CLASS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/core/Graph_view.h>
 #include <Conformal_geometry_processing/core/geometry_traits.h>
@@ -112,5 +110,3 @@ internal::Class_snap_report snap_to_conformal_class(
 }
 
 }  // namespace Conformal_geometry_processing
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_TRANSFORM_COMPONENTS_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_TRANSFORM_COMPONENTS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/core/for_each_component.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>
@@ -88,5 +86,3 @@ internal::Component_reports<Spin_report> spin_transform_components(
 }
 
 }  // namespace Conformal_geometry_processing
-
-#endif

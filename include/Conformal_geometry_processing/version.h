@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_VERSION_H
-#define CONFORMAL_GEOMETRY_PROCESSING_VERSION_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 /// \file version.h
 /// \brief The version of the library, which is also read by CMake.
@@ -10,5 +8,3 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_VERSION_MINOR 0
 #define CONFORMAL_GEOMETRY_PROCESSING_VERSION_PATCH 0
 #define CONFORMAL_GEOMETRY_PROCESSING_VERSION "1.0.0"
-
-#endif

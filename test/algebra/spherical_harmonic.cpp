@@ -1,6 +1,5 @@
 // Tests algebra/spherical_harmonic.h
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/algebra/spherical_harmonic.h>
 
 #include <gtest/gtest.h>

@@ -1,6 +1,5 @@
 // expect: dirac_sphere\(\): unknown named parameter
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include "concepts/triangle_mesh_archetype.h"
 
 #include <Conformal_geometry_processing/dirac_sphere.h>

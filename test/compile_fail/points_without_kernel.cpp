@@ -1,6 +1,5 @@
 // expect: the points of the mesh belong to no kernel: pass geom_traits
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include "concepts/geometry_traits_archetype.h"
 #include "concepts/triangle_mesh_archetype.h"
 

@@ -1,6 +1,5 @@
 // expect: positions and directions of the boundary cannot be prescribed both
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include "concepts/archetype_maps.h"
 
 #include <Conformal_geometry_processing/spin_transform.h>

@@ -1,6 +1,5 @@
 // expect: integrate.*unknown named parameter
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/core/named_parameters.h>
 
 namespace CGP = Conformal_geometry_processing;

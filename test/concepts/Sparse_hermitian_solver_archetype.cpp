@@ -1,6 +1,5 @@
 // Tests doc/Concepts/SparseHermitianSolver.h
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include "concepts/Sparse_hermitian_solver_archetype.h"
 
 #include <Conformal_geometry_processing/linear_algebra/direct/Grounded_solver.h>

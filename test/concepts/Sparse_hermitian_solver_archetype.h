@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_CONCEPTS_SPARSE_HERMITIAN_SOLVER_ARCHETYPE_H
-#define TEST_CONCEPTS_SPARSE_HERMITIAN_SOLVER_ARCHETYPE_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
 #include <Conformal_geometry_processing/linear_algebra/dense/Solver_status.h>
@@ -102,5 +100,3 @@ struct Sparse_hermitian_solver_traits_archetype {
 };
 
 }  // namespace cgp_test
-
-#endif

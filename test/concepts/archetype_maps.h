@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_CONCEPTS_ARCHETYPE_MAPS_H
-#define TEST_CONCEPTS_ARCHETYPE_MAPS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "concepts/triangle_mesh_archetype.h"
 
@@ -78,5 +76,3 @@ struct Writable_map_archetype {
 };
 
 }  // namespace cgp_test
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_CONCEPTS_GEOMETRY_TRAITS_ARCHETYPE_H
-#define TEST_CONCEPTS_GEOMETRY_TRAITS_ARCHETYPE_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 namespace cgp_test {
 
@@ -49,5 +47,3 @@ class Geometry_traits_archetype {
 };
 
 }  // namespace cgp_test
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_CONCEPTS_TRIANGLE_MESH_ARCHETYPE_H
-#define TEST_CONCEPTS_TRIANGLE_MESH_ARCHETYPE_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <CGAL/Dynamic_property_map.h>
 #include <CGAL/boost/graph/properties.h>
@@ -92,5 +90,3 @@ struct graph_traits<archetype::Triangle_mesh> {
   using face_descriptor = archetype::Face;
 };
 }  // namespace boost
-
-#endif

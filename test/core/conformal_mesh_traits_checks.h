@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_CORE_CONFORMAL_MESH_TRAITS_CHECKS_H
-#define TEST_CORE_CONFORMAL_MESH_TRAITS_CHECKS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/core/Conformal_mesh_traits.h>
 
@@ -88,5 +86,3 @@ void expect_a_model_of_conformal_mesh_traits(Mesh mesh)
 }
 
 }  // namespace cgp_test
-
-#endif

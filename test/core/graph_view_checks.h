@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_CORE_GRAPH_VIEW_CHECKS_H
-#define TEST_CORE_GRAPH_VIEW_CHECKS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/core/Graph_view.h>
 
@@ -82,5 +80,3 @@ std::string refusal(const Mesh& mesh)
 }
 
 }  // namespace cgp_test
-
-#endif

@@ -1,6 +1,5 @@
 // Tests curves/Curve_flow_report.h curves/Curve_frame.h
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/curves/Curve_flow_report.h>
 #include <Conformal_geometry_processing/curves/Curve_frame.h>
 

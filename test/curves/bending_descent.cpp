@@ -1,6 +1,5 @@
 // Tests curves/bending_descent.h curves/Closing_functions.h
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/curves/Closing_functions.h>
 #include <Conformal_geometry_processing/curves/bending_descent.h>
 #include <Conformal_geometry_processing/curves/integrate_curvature.h>

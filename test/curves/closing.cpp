@@ -1,7 +1,6 @@
 // Tests curves/Compensated_sum.h curves/integrate_curvature.h curves/integrate_tangents.h
 // Tests curves/close_polygon.h curves/curve_alignment.h
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/curves/Compensated_sum.h>
 #include <Conformal_geometry_processing/curves/bending_descent.h>
 #include <Conformal_geometry_processing/curves/close_polygon.h>

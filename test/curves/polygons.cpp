@@ -1,7 +1,6 @@
 // Tests curves/Polygon_lengths.h curves/turning_angles.h curves/turning_number.h
 // Tests curves/bending_energy.h curves/curve_requirements.h
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/curves/bending_energy.h>
 #include <Conformal_geometry_processing/curves/curve_requirements.h>
 #include <Conformal_geometry_processing/curves/turning_angles.h>

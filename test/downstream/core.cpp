@@ -1,5 +1,4 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 // A user's program over the component core.
 #include <Conformal_geometry_processing/algebra/Quaternion.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>

@@ -1,7 +1,6 @@
 // Tests include/Conformal_geometry_processing/flow/Conformal_willmore_flow.h
 // Tests include/Conformal_geometry_processing/flow/Flow_options.h
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/flow/Conformal_willmore_flow.h>
 
 #include <gtest/gtest.h>

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_FLOW_BOUNDED_FLOWS_H
-#define TEST_FLOW_BOUNDED_FLOWS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/measure/energies.h>
 #include <Conformal_geometry_processing/mesh/topology.h>
@@ -80,5 +78,3 @@ inline CGP::Flow_options plain_steps(double time_step, int steps,
 }
 
 }  // namespace cgp_test
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_FLOW_FAIRING_TOOLS_H
-#define TEST_FLOW_FAIRING_TOOLS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/flow/fair_region.h>
 
@@ -46,5 +44,3 @@ Mesh_view refilled(const Mesh_view& mesh, const std::vector<char>& region, Map m
 }
 
 }  // namespace cgp_test
-
-#endif

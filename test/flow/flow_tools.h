@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_FLOW_FLOW_TOOLS_H
-#define TEST_FLOW_FLOW_TOOLS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/flow/Flow_options.h>
 
@@ -66,5 +64,3 @@ inline double legendre(int k, double z)
 }
 
 }  // namespace cgp_test
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_FORMS_EXACTNESS_TOOLS_H
-#define TEST_FORMS_EXACTNESS_TOOLS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/forms/Hodge_decomposition.h>
 #include <Conformal_geometry_processing/forms/exactness_functions.h>
@@ -94,5 +92,3 @@ struct Exactness_case {
 };
 
 }  // namespace cgp_test
-
-#endif

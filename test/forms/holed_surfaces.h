@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_FORMS_HOLED_SURFACES_H
-#define TEST_FORMS_HOLED_SURFACES_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <algorithm>
 #include <functional>
@@ -45,5 +43,3 @@ inline Mesh_view bent_annulus(int m, int n)
 }
 
 }  // namespace cgp_test
-
-#endif

@@ -1,6 +1,5 @@
 // Tests examples/Ldl_solver.h
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include "../../examples/Ldl_solver.h"
 
 #include "linear_algebra/solver_laws.h"

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_LINEAR_ALGEBRA_DENSE_FRONTS_H
-#define TEST_LINEAR_ALGEBRA_DENSE_FRONTS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/algebra/scalar.h>
 #include <Conformal_geometry_processing/linear_algebra/vector_units/Vector_unit.h>
@@ -86,5 +84,3 @@ typename Kind::Scalar get(const typename Kind::Real* from)
 }
 
 }  // namespace cgp_test
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_LINEAR_ALGEBRA_EIGEN_DECOMPOSITIONS_H
-#define TEST_LINEAR_ALGEBRA_EIGEN_DECOMPOSITIONS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <gtest/gtest.h>
 
@@ -40,5 +38,3 @@ void expect_decomposition(const Decomposition& e, const CGP::Block<Scalar>& A, d
 }
 
 }  // namespace cgp_test
-
-#endif

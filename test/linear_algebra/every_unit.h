@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_LINEAR_ALGEBRA_EVERY_UNIT_H
-#define TEST_LINEAR_ALGEBRA_EVERY_UNIT_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/linear_algebra/vector_units/Vector_unit.h>
 
@@ -50,5 +48,3 @@ void on_every_unit(const Action& action)
 }
 
 }  // namespace cgp_test
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_LINEAR_ALGEBRA_GRAPHS_H
-#define TEST_LINEAR_ALGEBRA_GRAPHS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
@@ -139,5 +137,3 @@ inline std::vector<Named_graph> graphs_of_all_kinds()
 }
 
 }  // namespace cgp_test
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_LINEAR_ALGEBRA_HERMITIAN_MATRICES_H
-#define TEST_LINEAR_ALGEBRA_HERMITIAN_MATRICES_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
 
@@ -125,5 +123,3 @@ CGP::Block<Scalar> random_block(int rows, int columns, std::uint64_t seed)
 Eigen::VectorXd four_times(const Eigen::VectorXd& m);
 
 }  // namespace cgp_test
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_LINEAR_ALGEBRA_LOBPCG_RUNS_H
-#define TEST_LINEAR_ALGEBRA_LOBPCG_RUNS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/linear_algebra/krylov/Lobpcg.h>
 
@@ -28,5 +26,3 @@ CGP::Eigensolver_result solve(const Spectral_problem& problem,
 }
 
 }  // namespace cgp_test
-
-#endif

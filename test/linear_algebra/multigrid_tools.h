@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_LINEAR_ALGEBRA_MULTIGRID_TOOLS_H
-#define TEST_LINEAR_ALGEBRA_MULTIGRID_TOOLS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/linear_algebra/multigrid/Prolongation.h>
 #include <Conformal_geometry_processing/linear_algebra/multigrid/Rounding_remainder.h>
@@ -67,5 +65,3 @@ inline double relative_difference(const Eigen::MatrixXd& a, const Eigen::MatrixX
 }
 
 }  // namespace cgp_test
-
-#endif

@@ -1,5 +1,4 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 // Tests linear_algebra/direct_solvers.h linear_algebra/eigensolvers.h linear_algebra/settings.h
 // Tests linear_algebra/iterative_solvers.h linear_algebra/multigrid_solver.h
 // Tests linear_algebra/reduced_solver.h

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_LINEAR_ALGEBRA_REDUCED_PROBLEM_H
-#define TEST_LINEAR_ALGEBRA_REDUCED_PROBLEM_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/algebra/Reduced_basis.h>
 #include <Conformal_geometry_processing/mesh/topology.h>
@@ -111,5 +109,3 @@ inline Reduced_problem reduced_problem(const Pattern& pattern, const std::vector
 }
 
 }  // namespace cgp_test
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_LINEAR_ALGEBRA_REDUCED_SOLVER_LAWS_H
-#define TEST_LINEAR_ALGEBRA_REDUCED_SOLVER_LAWS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/linear_algebra/dense/Solver_status.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Ordering.h>
@@ -282,5 +280,3 @@ REGISTER_TYPED_TEST_SUITE_P(
     gives_its_memory_back_and_factorizes_again, tells_the_cost);
 
 }  // namespace cgp_test
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_LINEAR_ALGEBRA_SOLVER_LAWS_H
-#define TEST_LINEAR_ALGEBRA_SOLVER_LAWS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/linear_algebra/dense/Solver_status.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Ordering.h>
@@ -191,5 +189,3 @@ REGISTER_TYPED_TEST_SUITE_P(Hermitian_solver, solves_for_one_or_several_right_ha
                             refuses_what_has_another_size, tells_the_cost);
 
 }  // namespace cgp_test
-
-#endif

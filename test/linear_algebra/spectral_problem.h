@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_LINEAR_ALGEBRA_SPECTRAL_PROBLEM_H
-#define TEST_LINEAR_ALGEBRA_SPECTRAL_PROBLEM_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/linear_algebra/dense/block_products.h>
 #include <Conformal_geometry_processing/linear_algebra/dense/hermitian_eigen_decomposition.h>
@@ -100,5 +98,3 @@ inline Eigen::VectorXd counting(int n)
 }
 
 }  // namespace cgp_test
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_LINEAR_ALGEBRA_SYMBOLIC_ELIMINATION_H
-#define TEST_LINEAR_ALGEBRA_SYMBOLIC_ELIMINATION_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/linear_algebra/direct/Ordering.h>
 
@@ -79,5 +77,3 @@ inline std::vector<Ordered_graph> ordered_graphs()
 }
 
 }  // namespace cgp_test
-
-#endif

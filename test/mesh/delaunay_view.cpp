@@ -1,5 +1,4 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 // Tests mesh/Delaunay_view.h, mesh/Common_subdivision.h, mesh/Transported_forms.h
 // Tests mesh/boundary_caps.h
 #include <Conformal_geometry_processing/exceptions.h>

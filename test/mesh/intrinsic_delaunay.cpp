@@ -1,5 +1,4 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 // Tests mesh/intrinsic_delaunay.h, mesh/Intrinsic_triangulation.h, mesh/mollified_lengths.h
 #include <Conformal_geometry_processing/mesh/intrinsic_delaunay.h>
 #include <Conformal_geometry_processing/mesh/mollified_lengths.h>

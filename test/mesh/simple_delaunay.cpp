@@ -1,6 +1,5 @@
 // Tests include/Conformal_geometry_processing/mesh/simple_delaunay.h
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/mesh/Intrinsic_triangulation.h>
 #include <Conformal_geometry_processing/mesh/intrinsic_delaunay.h>
 #include <Conformal_geometry_processing/mesh/mollified_lengths.h>

@@ -1,7 +1,6 @@
 // Tests include/Conformal_geometry_processing/painting/image_filters.h
 // Tests include/Conformal_geometry_processing/painting/Curvature_band.h
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/painting/image_filters.h>
 

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_PARAMETERIZATION_FLAT_MAPS_H
-#define TEST_PARAMETERIZATION_FLAT_MAPS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -55,5 +53,3 @@ inline Eigen::MatrixXd least_squares_conformal_rows(const Mesh_view& mesh)
 }
 
 }  // namespace cgp_test
-
-#endif

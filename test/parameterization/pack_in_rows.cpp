@@ -1,7 +1,6 @@
 // Tests include/Conformal_geometry_processing/parameterization/pack_in_rows.h
 // Tests include/Conformal_geometry_processing/parameterization/place_side_by_side.h
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/mesh/topology.h>
 #include <Conformal_geometry_processing/parameterization/pack_in_rows.h>
 #include <Conformal_geometry_processing/parameterization/place_side_by_side.h>

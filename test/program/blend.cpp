@@ -1,7 +1,6 @@
 // Tests examples/conformal/commands/blend.cpp examples/conformal/commands/option_groups.cpp
 // Tests examples/conformal/transform/write_result.cpp examples/conformal/transform/deform.cpp
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include "program/bounded_support.h"
 #include "support/moebius.h"
 #include "support/spheres.h"

@@ -1,8 +1,7 @@
 // Tests examples/conformal/commands/boundary.cpp examples/conformal/input/boundary_condition.cpp
 // Tests examples/conformal/report/boundary_report.cpp examples/conformal/transform/deform.cpp
 // Tests examples/conformal/input/same_faces.cpp examples/conformal/transform/suitable_surface.cpp
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include "program/bounded_support.h"
 #include "support/spheres.h"
 

@@ -1,7 +1,6 @@
 // Tests examples/conformal/input/boundary_curves.cpp examples/conformal/input/Closed_curve.cpp
 // Tests examples/conformal/io/file/number_rows.cpp
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include "program/bounded_support.h"
 
 #include "conformal/input/Closed_curve.h"

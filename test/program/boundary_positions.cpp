@@ -1,7 +1,6 @@
 // Tests examples/conformal/input/boundary_condition.cpp
 // examples/conformal/transform/on_component.cpp Tests examples/conformal/commands/boundary.cpp
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include "program/bounded_support.h"
 #include "support/mesh_tools.h"
 

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_PROGRAM_BOUNDED_SUPPORT_H
-#define TEST_PROGRAM_BOUNDED_SUPPORT_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "program/support.h"
 #include "support/bounded_meshes.h"
@@ -59,5 +57,3 @@ inline Points centred(const Points& p)
 }
 
 }  // namespace program_test
-
-#endif

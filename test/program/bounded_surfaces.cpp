@@ -1,8 +1,7 @@
 // Tests examples/conformal/commands/spin.cpp examples/conformal/commands/flow.cpp
 // Tests examples/conformal/input/boundary_condition.cpp examples/conformal/report/verification.cpp
 // Tests examples/conformal/report/certificate.cpp
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include "program/bounded_support.h"
 
 #include <cmath>

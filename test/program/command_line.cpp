@@ -1,8 +1,7 @@
 // Tests examples/conformal/Command_line.cpp
 // Tests examples/conformal/run.cpp examples/conformal/process/versions.cpp
 // Tests examples/conformal/unknown_argument.cpp
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include "program/support.h"
 #include "support/spheres.h"
 

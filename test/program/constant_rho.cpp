@@ -1,6 +1,5 @@
 // Tests examples/conformal/commands/spin.cpp
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include "program/support.h"
 #include "support/bounded_meshes.h"
 #include "support/spheres.h"

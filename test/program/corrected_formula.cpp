@@ -1,7 +1,6 @@
 // Tests examples/conformal/input/corrected_formula.cpp examples/conformal/input/formula_tokens.cpp
 // Tests examples/conformal/input/Expression.cpp
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include "conformal/input/corrected_formula.h"
 
 #include "program/support.h"

@@ -1,8 +1,7 @@
 // Tests examples/conformal/commands/curve.cpp examples/conformal/curves/curve_report.cpp
 // Tests examples/conformal/curves/Curve_flows.cpp examples/conformal/curves/Pictures.cpp
 // Tests examples/conformal/curves/refine_curve.cpp
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include "program/support.h"
 #include "support/plane_curves.h"
 

@@ -1,7 +1,6 @@
 // Tests examples/conformal/transform/each_component.cpp examples/conformal/transform/Component.cpp
 // Tests examples/conformal/transform/Component_failures.cpp
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include "program/support.h"
 #include "support/polyhedra.h"
 #include "support/several_components.h"

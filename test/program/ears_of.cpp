@@ -1,6 +1,5 @@
 // Tests examples/conformal/repair/ears_of.cpp examples/conformal/repair/Dents.cpp
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include "conformal/repair/ears_of.h"
 
 #include "conformal/repair/Dents.h"

@@ -1,8 +1,7 @@
 // Tests examples/conformal/commands/fit.cpp examples/conformal/transform/solve_fit.cpp
 // Tests examples/conformal/input/same_faces.cpp examples/conformal/transform/deform.cpp
 // Tests examples/conformal/commands/option_groups.cpp
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 // Tests examples/conformal/input/boundary_condition.cpp
 #include "program/bounded_support.h"
 #include "support/bends.h"

@@ -1,7 +1,6 @@
 // Tests examples/conformal/commands/flatten.cpp examples/conformal/transform/flat_image.cpp
 // Tests examples/conformal/transform/flat_distortion.cpp
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include "program/bounded_support.h"
 #include "support/spheres.h"
 

@@ -1,7 +1,6 @@
 // Tests examples/conformal/transform/cut_open.cpp examples/conformal/transform/cut_graph.cpp
 // examples/conformal/transform/Shortest_paths.cpp
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include "conformal/transform/Shortest_paths.h"
 #include "conformal/transform/cut_graph.h"
 

@@ -1,8 +1,7 @@
 // Tests examples/conformal/report/html_report.cpp examples/conformal/report/Report_files.cpp
 // Tests examples/conformal/report/conformal_charts.cpp examples/conformal/report/keep_exhibit.cpp
 // Tests examples/conformal/report/face_regions.cpp examples/conformal/report/mesh_piece.cpp
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include "conformal/report/html_report.h"
 
 #include "program/support.h"

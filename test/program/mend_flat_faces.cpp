@@ -1,7 +1,6 @@
 // Tests examples/conformal/repair/mend_flat_faces.cpp examples/conformal/repair/Flatness.cpp
 // Tests examples/conformal/repair/Triangle_soup.cpp examples/conformal/repair/corner_rows.h
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include "conformal/repair/mend_flat_faces.h"
 
 #include "conformal/input/Defects.h"

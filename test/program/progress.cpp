@@ -1,7 +1,6 @@
 // Tests examples/conformal/process/Progress.cpp examples/conformal/process/Pace.cpp
 // Tests examples/conformal/process/status_line.cpp examples/conformal/process/Signal_text.h
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include "conformal/process/Progress.h"
 
 #include "program/support.h"

@@ -1,7 +1,6 @@
 // Tests examples/conformal/repair/repair.cpp examples/conformal/repair/Corner_fans.cpp
 // Tests examples/conformal/repair/separate_fans.cpp examples/conformal/repair/select_faces.cpp
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include "conformal/repair/repair.h"
 
 #include "conformal/input/Defects.h"

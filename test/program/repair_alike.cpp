@@ -1,6 +1,5 @@
 // Tests examples/conformal/repair/repair_alike.cpp examples/conformal/input/same_faces.cpp
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include "conformal/repair/repair_alike.h"
 
 #include "conformal/process/Failure.h"

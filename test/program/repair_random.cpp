@@ -1,6 +1,5 @@
 // Tests examples/conformal/repair/repair.cpp examples/conformal/repair/mend_flat_faces.cpp
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include "conformal/input/Defects.h"
 #include "program/repair_support.h"
 #include "support/bounded_meshes.h"

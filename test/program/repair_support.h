@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_PROGRAM_REPAIR_SUPPORT_H
-#define TEST_PROGRAM_REPAIR_SUPPORT_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "conformal/input/Surface_input.h"
 #include "conformal/io/file/numbers.h"
@@ -58,5 +56,3 @@ inline Repaired repaired(const std::string& text, const char* name = "a.off")
 }
 
 }  // namespace program_test
-
-#endif

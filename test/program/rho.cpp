@@ -1,8 +1,7 @@
 // Tests examples/conformal/input/rho.cpp examples/conformal/input/rho_from_values.cpp
 // Tests examples/conformal/input/rho_from_image.cpp examples/conformal/input/Expression.cpp
 // Tests examples/conformal/input/filter_rho.cpp
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include "conformal/input/rho.h"
 
 #include "program/support.h"

@@ -1,6 +1,5 @@
 // Tests examples/conformal/commands/flow.cpp examples/conformal/commands/boundary.cpp
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include "conformal/io/file/numbers.h"
 #include "program/bounded_support.h"
 #include "support/mesh_tools.h"

@@ -1,7 +1,6 @@
 // Tests examples/conformal/commands/spectrum.cpp examples/conformal/commands/sphere.cpp
 // Tests examples/conformal/commands/option_checks.cpp
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include "program/support.h"
 #include "support/bounded_meshes.h"
 #include "support/spheres.h"

@@ -1,8 +1,7 @@
 // Tests examples/conformal/commands/spin.cpp examples/conformal/transform/write_result.cpp
 // Tests examples/conformal/report/verification.cpp examples/conformal/report/certificate.cpp
 // Tests examples/conformal/transform/solve_spin.cpp
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include "program/support.h"
 #include "support/spheres.h"
 #include "support/thin_faces.h"

@@ -1,7 +1,6 @@
 // Tests examples/conformal/commands/split.cpp examples/conformal/repair/select_faces.cpp
 // Tests examples/conformal/commands/numbered_outputs.cpp
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include "program/support.h"
 #include "support/polyhedra.h"
 #include "support/several_components.h"

@@ -1,8 +1,7 @@
 // Tests examples/conformal/commands/studio.cpp examples/conformal/studio/Studio_surface.cpp
 // Tests examples/conformal/studio/studio_page.cpp examples/conformal/studio/built_in_shapes.cpp
 // Tests examples/conformal/report/page_blocks.cpp examples/conformal/input/User_frame.cpp
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include "conformal/studio/Studio_surface.h"
 
 #include "program/support.h"

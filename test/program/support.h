@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_PROGRAM_SUPPORT_H
-#define TEST_PROGRAM_SUPPORT_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "support/Temporary_folder.h"
 
@@ -59,5 +57,3 @@ std::string off(const Conformal_geometry_processing::Mesh_view& mesh,
 ::testing::AssertionResult fails(const Program_run& run, int code, const std::string& words);
 
 }  // namespace program_test
-
-#endif

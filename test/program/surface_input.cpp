@@ -1,7 +1,6 @@
 // Tests examples/conformal/input/Surface_input.cpp examples/conformal/repair/orientation.cpp
 // Tests examples/conformal/repair/triangulation.cpp
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include "conformal/input/Surface_input.h"
 
 #include "conformal/repair/triangulation.h"

@@ -1,7 +1,6 @@
 // Tests examples/conformal/input/Defects.cpp examples/conformal/commands/info.cpp
 // Tests examples/conformal/report/Shape.cpp
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include "program/support.h"
 #include "support/bounded_meshes.h"
 #include "support/polyhedra.h"

@@ -1,6 +1,5 @@
 // Tests examples/conformal/report/verification.cpp examples/conformal/report/certificate.cpp
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include "conformal/report/verification.h"
 
 #include <gtest/gtest.h>

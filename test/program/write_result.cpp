@@ -1,6 +1,5 @@
 // Tests examples/conformal/transform/write_result.cpp
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include "conformal/io/read_surface.h"
 #include "conformal/io/write_surface.h"
 #include "program/support.h"

@@ -1,5 +1,4 @@
-# Copyright (c) 2026 The Conformal Geometry Processing authors
-# SPDX-License-Identifier: LGPL-3.0-or-later
+# Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 """What test_blender.py runs inside of Blender: blender --background --python in_blender.py -- ADDON
 
 Both operators of the add-on, called as its menu does, do to a ball with a vertex group what the

@@ -1,5 +1,4 @@
-# Copyright (c) 2026 The Conformal Geometry Processing authors
-# SPDX-License-Identifier: LGPL-3.0-or-later
+# Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 """What `cmake --install` puts below a prefix, and the Debian package, can be imported from there; what
 `pip install` asks of CMake are options of this build, and the version is where it looks for it."""
 

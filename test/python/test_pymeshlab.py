@@ -1,5 +1,4 @@
-# Copyright (c) 2026 The Conformal Geometry Processing authors
-# SPDX-License-Identifier: LGPL-3.0-or-later
+# Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 """The script for PyMeshLab, with as much of PyMeshLab as it asks for: the stand-in below has the
 names, parameters and refusals of PyMeshLab 2025.7, as its documentation states them."""
 

@@ -1,7 +1,6 @@
 // Tests include/Conformal_geometry_processing/spin/Nearest_spin_transformation.h
 // Tests include/Conformal_geometry_processing/spin/checked_target.h
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/measure/alignment.h>
 #include <Conformal_geometry_processing/measure/distortion.h>
 #include <Conformal_geometry_processing/spin/Nearest_spin_transformation.h>

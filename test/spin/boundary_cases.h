@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_SPIN_BOUNDARY_CASES_H
-#define TEST_SPIN_BOUNDARY_CASES_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "spin/boundary_tools.h"
 
@@ -41,5 +39,3 @@ inline Boundary_condition scaled(Boundary_condition condition, double s)
 }
 
 }  // namespace cgp_test
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_SPIN_BOUNDARY_TOOLS_H
-#define TEST_SPIN_BOUNDARY_TOOLS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/measure/alignment.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
@@ -118,5 +116,3 @@ std::string refusal_of(Call call)
 }
 
 }  // namespace cgp_test
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_SPIN_BRANCH_TOOLS_H
-#define TEST_SPIN_BRANCH_TOOLS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/linear_algebra/krylov/Lobpcg.h>
 #include <Conformal_geometry_processing/operators/dirac_energy.h>
@@ -130,5 +128,3 @@ inline Quaternion_vector<double> smallest_eigenvector(CGP::internal::Dirac_syste
 }
 
 }  // namespace cgp_test
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_SPIN_COARSE_CASES_H
-#define TEST_SPIN_COARSE_CASES_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <string>
 #include <utility>
@@ -69,5 +67,3 @@ inline std::vector<Coarse_case> coarse_cases()
 }
 
 }  // namespace cgp_test
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_SPIN_DENSE_SPECTRUM_H
-#define TEST_SPIN_DENSE_SPECTRUM_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/operators/dirac_energy.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
@@ -27,5 +25,3 @@ inline Eigen::VectorXd dense_eigenvalues(
 }
 
 }  // namespace cgp_test
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_SPIN_GAUGE_TOOLS_H
-#define TEST_SPIN_GAUGE_TOOLS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "support/dense.h"
 
@@ -21,5 +19,3 @@ inline double difference_up_to_right_quaternion(const Quaternion_vector<double>&
 }
 
 }  // namespace cgp_test
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_SPIN_MOEBIUS_IMAGES_H
-#define TEST_SPIN_MOEBIUS_IMAGES_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "spin/boundary_tools.h"
 #include "support/random_delaunay.h"
@@ -96,5 +94,3 @@ class Moebius_image {
 };
 
 }  // namespace cgp_test
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_SPIN_SOLVED_H
-#define TEST_SPIN_SOLVED_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/spin/solve_dirac_equation.h>
 
@@ -19,5 +17,3 @@ inline Conformal_geometry_processing::internal::Dirac_solution solved(
 }
 
 }  // namespace cgp_test
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_SPIN_SOLVER_AGREEMENT_H
-#define TEST_SPIN_SOLVER_AGREEMENT_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/linear_algebra/direct/Default_solver_traits.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
@@ -74,5 +72,3 @@ REGISTER_TYPED_TEST_SUITE_P(Spin_solver, gives_ten_digits_of_the_default_on_a_no
                             gives_ten_digits_of_the_default_on_an_irregular_scan);
 
 }  // namespace cgp_test
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_SUPPORT_COUNTED_SOLVER_TRAITS_H
-#define TEST_SUPPORT_COUNTED_SOLVER_TRAITS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/linear_algebra/direct/Default_solver_traits.h>
 
@@ -77,5 +75,3 @@ struct Counted_solver_traits {
 };
 
 }  // namespace cgp_test
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_SUPPORT_DOUBLE_SOLVER_TRAITS_H
-#define TEST_SUPPORT_DOUBLE_SOLVER_TRAITS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/linear_algebra/direct/Supernodal_cholesky.h>
 
@@ -21,5 +19,3 @@ struct Double_solver_traits {
 };
 
 }  // namespace cgp_test
-
-#endif

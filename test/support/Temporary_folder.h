@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_SUPPORT_TEMPORARY_FOLDER_H
-#define TEST_SUPPORT_TEMPORARY_FOLDER_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <stdlib.h>
 
@@ -45,5 +43,3 @@ std::string content(const std::filesystem::path& path);
 void put_file(const std::filesystem::path& path, const std::string& bytes);
 
 }  // namespace cgp_test
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_SUPPORT_BENDS_H
-#define TEST_SUPPORT_BENDS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <cmath>
 
@@ -20,5 +18,3 @@ Mesh_view bent_beam(const Mesh_view& mesh, double angle, double neutral = 0);
 Mesh_view twisted_beam(const Mesh_view& mesh, double angle);
 
 }  // namespace cgp_test
-
-#endif

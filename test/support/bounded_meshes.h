@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_SUPPORT_BOUNDED_MESHES_H
-#define TEST_SUPPORT_BOUNDED_MESHES_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <cmath>
 #include <complex>
@@ -62,5 +60,3 @@ Mesh_view jittered_disk(int n, double amount, std::uint64_t seed = 1);
 Mesh_view cap_from_disk(const Mesh_view& disk, double alpha);
 
 }  // namespace cgp_test
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_SUPPORT_CGAL_MESHES_H
-#define TEST_SUPPORT_CGAL_MESHES_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 
@@ -50,5 +48,3 @@ Mesh to_cgal_mesh(const Conformal_geometry_processing::Mesh_view& view)
 }
 
 }  // namespace cgp_test
-
-#endif

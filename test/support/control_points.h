@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_SUPPORT_CONTROL_POINTS_H
-#define TEST_SUPPORT_CONTROL_POINTS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/spin/Control_point.h>
 
@@ -56,5 +54,3 @@ inline std::vector<Control_point> one_moved(const Mesh_view& mesh, int count, do
 }
 
 }  // namespace cgp_test
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_SUPPORT_DECOMPOSITIONS_H
-#define TEST_SUPPORT_DECOMPOSITIONS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Eigen/Core>
 
@@ -39,5 +37,3 @@ Eigen::Index rank(const Eigen::MatrixXd& A, double tolerance);
 Eigen::MatrixXd orthogonal_factor(const Eigen::MatrixXd& A);
 
 }  // namespace cgp_test
-
-#endif

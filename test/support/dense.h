@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_SUPPORT_DENSE_H
-#define TEST_SUPPORT_DENSE_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
 #include <Conformal_geometry_processing/algebra/Quaternionic_sparse_matrix.h>
@@ -57,5 +55,3 @@ double greatest_difference(const Quaternion_vector<double>& a, const Quaternion_
 Quaternion_vector<double> imaginary_columns(const Eigen::Matrix3Xd& v);
 
 }  // namespace cgp_test
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_SUPPORT_DIRAC_SOURCES_H
-#define TEST_SUPPORT_DIRAC_SOURCES_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/operators/dirac_energy.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
@@ -25,5 +23,3 @@ void expect_solutions(const CGP::Surface_ref& surface, const Quaternion_matrix& 
                       const Quaternion_matrix& c);
 
 }  // namespace cgp_test
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_SUPPORT_FIBONACCI_SPHERE_H
-#define TEST_SUPPORT_FIBONACCI_SPHERE_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <cmath>
 #include <utility>
@@ -16,5 +14,3 @@ namespace cgp_test {
 Mesh_view fibonacci_sphere(int n);
 
 }  // namespace cgp_test
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_SUPPORT_FIGURE_EIGHT_TORUS_H
-#define TEST_SUPPORT_FIGURE_EIGHT_TORUS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <cmath>
 #include <utility>
@@ -15,5 +13,3 @@ namespace cgp_test {
 Mesh_view turned_torus(int m, int n, bool is_eight, int turns);
 
 }  // namespace cgp_test
-
-#endif

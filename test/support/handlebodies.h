@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_SUPPORT_HANDLEBODIES_H
-#define TEST_SUPPORT_HANDLEBODIES_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <array>
 #include <set>
@@ -24,5 +22,3 @@ Mesh_view smoothed(const Mesh_view& mesh, int times);
 Mesh_view smooth_handlebody(int genus, int level);
 
 }  // namespace cgp_test
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_SUPPORT_LIMBS_H
-#define TEST_SUPPORT_LIMBS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <cmath>
 
@@ -16,5 +14,3 @@ Mesh_view dumbbell(int level);
 Eigen::VectorXd rings(const Mesh_view& mesh, double amplitude, double frequency);
 
 }  // namespace cgp_test
-
-#endif

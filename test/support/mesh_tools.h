@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_SUPPORT_MESH_TOOLS_H
-#define TEST_SUPPORT_MESH_TOOLS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 #include <Conformal_geometry_processing/mesh/mean_edge_length.h>
@@ -73,5 +71,3 @@ Mesh_view subdivided(const Mesh_view& mesh);
 double slope(const std::vector<double>& h, const std::vector<double>& error);
 
 }  // namespace cgp_test
-
-#endif

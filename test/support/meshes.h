@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_SUPPORT_MESHES_H
-#define TEST_SUPPORT_MESHES_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 /// All generated meshes of the tests.
 #include "support/bounded_meshes.h"
@@ -11,5 +9,3 @@
 #include "support/scans.h"
 #include "support/spheres.h"
 #include "support/tori.h"
-
-#endif

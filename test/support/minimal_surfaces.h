@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_SUPPORT_MINIMAL_SURFACES_H
-#define TEST_SUPPORT_MINIMAL_SURFACES_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/mesh/Boundary_frames.h>
 
@@ -32,5 +30,3 @@ Mesh_view catenoid_strip(int n);
 Mesh_view helicoid_strip(int n);
 
 }  // namespace cgp_test
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_SUPPORT_MOEBIUS_H
-#define TEST_SUPPORT_MOEBIUS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "support/mesh_tools.h"
 
@@ -11,5 +9,3 @@ namespace cgp_test {
 Mesh_view inverted(const Mesh_view& mesh, const Eigen::Vector3d& center);
 
 }  // namespace cgp_test
-
-#endif

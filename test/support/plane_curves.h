@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_SUPPORT_PLANE_CURVES_H
-#define TEST_SUPPORT_PLANE_CURVES_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Eigen/Core>
 
@@ -69,5 +67,3 @@ double distortion(const Curve& before, const Curve& after);
 Curve first_points(const Curve& points, Eigen::Index count);
 
 }  // namespace cgp_test
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_SUPPORT_POLYHEDRA_H
-#define TEST_SUPPORT_POLYHEDRA_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <array>
 #include <map>
@@ -32,5 +30,3 @@ Mesh_view cube();
 Mesh_view double_torus();
 
 }  // namespace cgp_test
-
-#endif

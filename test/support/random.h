@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_SUPPORT_RANDOM_H
-#define TEST_SUPPORT_RANDOM_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
 
@@ -69,5 +67,3 @@ Mesh_view perturbed(const Mesh_view& mesh, double amount, std::uint64_t seed = 1
 Mesh_view radially_perturbed(const Mesh_view& mesh, double amount, std::uint64_t seed = 1);
 
 }  // namespace cgp_test
-
-#endif

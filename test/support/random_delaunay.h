@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_SUPPORT_RANDOM_DELAUNAY_H
-#define TEST_SUPPORT_RANDOM_DELAUNAY_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Eigen/Core>
 #include <Eigen/LU>
@@ -88,5 +86,3 @@ std::vector<Eigen::Vector2d> uneven_points(const Circle& circle, double h, Rando
 Mesh_view random_domain(double h, std::uint64_t seed, const std::vector<Circle>& holes = {});
 
 }  // namespace cgp_test
-
-#endif

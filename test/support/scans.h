@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_SUPPORT_SCANS_H
-#define TEST_SUPPORT_SCANS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <array>
 #include <cmath>
@@ -24,5 +22,3 @@ Corners convex_hull(const Points& p);
 Mesh_view scan(int n, double noise = 0.01, std::uint64_t seed = 1);
 
 }  // namespace cgp_test
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_SUPPORT_SEVERAL_COMPONENTS_H
-#define TEST_SUPPORT_SEVERAL_COMPONENTS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <vector>
 
@@ -27,5 +25,3 @@ Mesh_view moved(const Mesh_view& mesh, const Eigen::Vector3d& by);
 std::vector<Mesh_view> surfaces_of_different_types();
 
 }  // namespace cgp_test
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_SUPPORT_SKEWED_TORI_H
-#define TEST_SUPPORT_SKEWED_TORI_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/surfaces/hopf_torus.h>
 #include <Conformal_geometry_processing/surfaces/torus_grid.h>
@@ -21,5 +19,3 @@ Mesh_view twisted_torus(int n);
 Mesh_view hopf_torus(int n);
 
 }  // namespace cgp_test
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_SUPPORT_SPHERES_H
-#define TEST_SUPPORT_SPHERES_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <cmath>
 #include <utility>
@@ -34,5 +32,3 @@ Eigen::VectorXd rho_of_section_3_on_vertices(const Mesh_view& mesh);
 Eigen::VectorXd rho_of_section_3_on_faces(const Mesh_view& mesh);
 
 }  // namespace cgp_test
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_SUPPORT_THIN_FACES_H
-#define TEST_SUPPORT_THIN_FACES_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <utility>
 #include <vector>
@@ -22,5 +20,3 @@ Mesh_view with_thin_faces(const Mesh_view& mesh, double height, double where = .
 Mesh_view spoilt(const Mesh_view& mesh);
 
 }  // namespace cgp_test
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_SUPPORT_TORI_H
-#define TEST_SUPPORT_TORI_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/surfaces/torus_grid.h>
 
@@ -39,5 +37,3 @@ Mesh_view btorus(int n);
 Mesh_view storus(int n);
 
 }  // namespace cgp_test
-
-#endif

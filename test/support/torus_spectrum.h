@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_SUPPORT_TORUS_SPECTRUM_H
-#define TEST_SUPPORT_TORUS_SPECTRUM_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Eigen/Eigenvalues>
 
@@ -31,5 +29,3 @@ std::vector<double> torus_spectrum(double R, double r, double most);
 Mesh_view jittered_torus(double R, double r, int m, int n, double amount);
 
 }  // namespace cgp_test
-
-#endif

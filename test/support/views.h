@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_SUPPORT_VIEWS_H
-#define TEST_SUPPORT_VIEWS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/core/Graph_view.h>
 #include <Conformal_geometry_processing/core/named_parameters.h>
@@ -23,5 +21,3 @@ Mesh_view view_of(const Mesh& mesh)
 double greatest_distance(const Points& a, const Points& b);
 
 }  // namespace cgp_test
-
-#endif

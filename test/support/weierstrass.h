@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_SUPPORT_WEIERSTRASS_H
-#define TEST_SUPPORT_WEIERSTRASS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <array>
 #include <complex>
@@ -69,5 +67,3 @@ class Weierstrass_surface {
 };
 
 }  // namespace cgp_test
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_SUPPORT_WITH_SOLVERS_H
-#define TEST_SUPPORT_WITH_SOLVERS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/spin/Spin_transformation_options.h>
 
@@ -17,5 +15,3 @@ Options with_solvers(Options options = {})
 }
 
 }  // namespace cgp_test
-
-#endif

@@ -1,7 +1,6 @@
 // Tests include/Conformal_geometry_processing/surfaces/hopf_torus.h
 // Tests surfaces/evenly_spaced.h
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/measure/energies.h>
 #include <Conformal_geometry_processing/surfaces/evenly_spaced.h>
 #include <Conformal_geometry_processing/surfaces/hopf_torus.h>

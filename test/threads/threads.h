@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_THREADS_THREADS_H
-#define TEST_THREADS_THREADS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/threads/number_of_threads.h>
 
@@ -16,5 +14,3 @@ struct Threads {
 };
 
 }  // namespace cgp_test
-
-#endif

@@ -1,6 +1,5 @@
 #!/usr/bin/env python3
-# Copyright (c) 2026 The Conformal Geometry Processing authors
-# SPDX-License-Identifier: LGPL-3.0-or-later
+# Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 """The package of CGAL that doc/package/lay_out makes stands alone: its headers include each other and
 CGAL, two examples compile with this CGAL and succeed, its manual has no warnings.
 

@@ -1,6 +1,5 @@
 #!/usr/bin/env python3
-# Copyright (c) 2026 The Conformal Geometry Processing authors
-# SPDX-License-Identifier: LGPL-3.0-or-later
+# Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 """doc/developers.md fits the sources: its counted tables are up to date, within a tenth or five; the
 files that it names exist, each function of a call sequence is in the file beside it, and recipes name
 all files in which an existing example has to be named."""
@@ -13,7 +12,7 @@ import sources
 
 BASES = (sources.ROOT, sources.INCLUDE, sources.PROGRAM, sources.ROOT / "examples" / "python",
          sources.ROOT / "examples" / "python" / "src" / "conformal_geometry")
-PLACEHOLDER = re.compile(r"NAME|\bX(_impl|_templates)?\.h")
+PLACEHOLDER = re.compile(r"NAME|\bX(_impl)?\.(?:h|cpp)")
 NUMBER = re.compile(r"\d[\d,]*")
 CALLS = re.compile(r"^\| depth \| function \| file \|.*\n\|[-:| ]*\n((?:\|.*\n)+)", re.MULTILINE)
 

@@ -1,6 +1,5 @@
 #!/bin/bash
-# Copyright (c) 2026 The Conformal Geometry Processing authors
-# SPDX-License-Identifier: LGPL-3.0-or-later
+# Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 # Builds and runs test/downstream/ as a user of the library would.
 # usage: check_downstream.sh installed|packages|subdirectory BUILD_FOLDER COMPILER GENERATOR
 set -euo pipefail

@@ -1,6 +1,5 @@
 #!/usr/bin/env python3
-# Copyright (c) 2026 The Conformal Geometry Processing authors
-# SPDX-License-Identifier: LGPL-3.0-or-later
+# Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 """An example runs on a generated surface: it succeeds and writes as many vertices as it read.
 
 usage: check_example.py PROGRAM [CONFORMAL]   (which takes INPUT OUTPUT.ply, or a curve and OUTPUT.svg)

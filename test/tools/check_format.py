@@ -1,6 +1,5 @@
 #!/usr/bin/env python3
-# Copyright (c) 2026 The Conformal Geometry Processing authors
-# SPDX-License-Identifier: LGPL-3.0-or-later
+# Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 """clang-format would change nothing in our files; `--fix` makes it so. Python has no tabs, nothing at
 the ends of lines, and lines of 120 characters at most, except for rows of tables."""
 

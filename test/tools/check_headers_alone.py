@@ -1,6 +1,5 @@
 #!/usr/bin/env python3
-# Copyright (c) 2026 The Conformal Geometry Processing authors
-# SPDX-License-Identifier: LGPL-3.0-or-later
+# Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 """Every header compiles alone, and what is below the skin of CGAL needs neither CGAL nor Boost.
 
 To read Eigen takes ten times as long as to read one of our headers. So the headers that reach the same
@@ -21,7 +20,7 @@ import tempfile
 
 import sources
 
-SKIN = re.compile(r"^core/|^(?!config|exceptions|templates|version)[^/]*$")
+SKIN = re.compile(r"^core/|^(?!config|exceptions|version)[^/]*$")
 OTHERS = re.compile(r"(Eigen|CGAL|boost)/")
 
 
@@ -32,14 +31,13 @@ def needs_more(header):
 
 
 def reached(header):
-    """The headers of Eigen, CGAL and Boost that it includes, by itself or by ours. Without what only
-    those read who use the library header-only (_impl.h)."""
+    """The headers of Eigen, CGAL and Boost that it includes, by itself or by ours."""
     waiting, seen, others = [header], {header}, set()
     while waiting:
         for _, name in sources.includes(sources.INCLUDE / waiting.pop()):
             if OTHERS.match(name):
                 others.add(name)
-            elif name.startswith(sources.LIBRARY) and not name.endswith("_impl.h"):
+            elif name.startswith(sources.LIBRARY):
                 own = pathlib.Path(name).relative_to(sources.LIBRARY)
                 waiting += {own} - seen
                 seen.add(own)
@@ -66,7 +64,7 @@ def complaints(command, header):
 def main():
     compiler = sys.argv[1:] or ["c++", "-isystem", "/usr/include/eigen3"]
     command = [*compiler, "-std=c++17", "-w", "-I", sources.ROOT / "include"]
-    needs = {header: reached(header) for header in sources.interfaces() if not needs_more(header)}
+    needs = {header: reached(header) for header in sources.headers() if not needs_more(header)}
     often = [names for names, count in collections.Counter(needs.values()).items() if count > 2]
     with tempfile.TemporaryDirectory() as folder, \
             concurrent.futures.ThreadPoolExecutor(max_workers=os.cpu_count()) as pool:

@@ -1,7 +1,6 @@
 #!/usr/bin/env python3
-# Copyright (c) 2026 The Conformal Geometry Processing authors
-# SPDX-License-Identifier: LGPL-3.0-or-later
-"""The headers below the skin of CGAL compile with what Visual C++ and windows.h do to them: macros
+# Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+"""What is below the skin of CGAL compiles with what Visual C++ and windows.h do to it: macros
 min(), max(), near, far, small and interface; no M_PI; neither GCC's vectors nor its other extensions.
 
 usage: check_hostile_macros.py COMPILER [COMPILER ARGUMENT...]
@@ -14,6 +13,7 @@ import sys
 import tempfile
 
 import check_headers_alone
+import header_only
 import sources
 
 # What windows.h defines unless it is told NOMINMAX and WIN32_LEAN_AND_MEAN, and what <cmath> defines
@@ -41,26 +41,26 @@ def kernels(headers):
 
 def source():
     """The headers of others first, for they are read without these macros."""
-    others = {name for header in kernels(sources.headers())
+    others = {name for header in kernels(sources.library(".h", ".cpp"))
               for _, name in sources.includes(sources.INCLUDE / header)
               if not name.startswith(sources.LIBRARY) and not re.match("boost/|CGAL/", name)}
     # Some are there on one system only.
     lines = [f"#if __has_include(<{name}>)\n#include <{name}>\n#endif" for name in sorted(others)]
     lines.append(MACROS)
     lines += [f"#include <{sources.LIBRARY}/{header.as_posix()}>"
-              for header in kernels(sources.interfaces())]
+              for header in kernels(sources.headers()) if header.name != header_only.CONFIG]
     return "\n".join(lines) + "\n"
 
 
 def main():
     compiler = sys.argv[1:] or ["c++", "-isystem", "/usr/include/eigen3"]
     with tempfile.TemporaryDirectory() as folder:
+        header_only.write(pathlib.Path(folder))
         path = pathlib.Path(folder) / "hostile_macros.cpp"
         path.write_text(source(), encoding="utf-8")
         command = [*compiler, "-std=c++17", "-fsyntax-only", "-pedantic-errors",
-                   "-DCONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY",
                    "-DCONFORMAL_GEOMETRY_PROCESSING_NO_VECTOR_EXTENSIONS",
-                   "-I", sources.ROOT / "include", path]
+                   "-I", folder, path]
         result = subprocess.run(command, capture_output=True, text=True, check=False)
     complaints = [line for line in result.stderr.splitlines() if "error:" in line]
     if result.returncode != 0 and not complaints:

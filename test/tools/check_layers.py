@@ -1,6 +1,5 @@
 #!/usr/bin/env python3
-# Copyright (c) 2026 The Conformal Geometry Processing authors
-# SPDX-License-Identifier: LGPL-3.0-or-later
+# Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 """A file includes its own folder or lower layers, never a folder beside it: the headers of the
 library, and the files of the program."""
 
@@ -76,13 +75,12 @@ def program_cycles():
 
 
 def complaints():
-    for header in sources.headers():
-        yield from of_file(sources.INCLUDE, header, sources.LIBRARY, place)
+    for file in sources.library(".h", ".cpp"):
+        yield from of_file(sources.INCLUDE, file, sources.LIBRARY, place)
     for file in sources.program():
         yield from of_file(sources.PROGRAM, file, PROGRAM, program_place)
     yield from program_cycles()
 
 
 if __name__ == "__main__":
-    sources.finish(list(complaints()), f"the layers of {len(sources.headers())} headers and {len(sources.program())} "
-                   "files of the program")
+    sources.finish(list(complaints()), "the layers of the library and of the program")

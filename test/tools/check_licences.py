@@ -1,6 +1,5 @@
 #!/usr/bin/env python3
-# Copyright (c) 2026 The Conformal Geometry Processing authors
-# SPDX-License-Identifier: LGPL-3.0-or-later
+# Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 """Everything a core header includes of CGAL, directly or not, is LGPL or Boost licensed, and
 nothing is SuiteSparse's.
 
@@ -56,7 +55,7 @@ def complaints(compiler, header):
 
 def main():
     compiler = sys.argv[1:] or ["c++", "-isystem", "/usr/include/eigen3"]
-    core = [header for header in sources.interfaces()
+    core = [header for header in sources.headers()
             if not sources.GPL_HEADER.search(header.as_posix())
             and not sources.OPTIONAL_HEADER.search(header.as_posix())]
     with concurrent.futures.ThreadPoolExecutor(max_workers=2) as pool:

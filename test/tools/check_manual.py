@@ -1,6 +1,5 @@
 #!/usr/bin/env python3
-# Copyright (c) 2026 The Conformal Geometry Processing authors
-# SPDX-License-Identifier: LGPL-3.0-or-later
+# Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 """README, gallery and manual fit the sources: the README's program is the example first_program,
 files in backticks and links exist, links lead to headings that exist, the README is short, every
 measured page is in the index of evidence with numbers that it has, every example and named

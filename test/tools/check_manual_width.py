@@ -1,6 +1,5 @@
 #!/usr/bin/env python3
-# Copyright (c) 2026 The Conformal Geometry Processing authors
-# SPDX-License-Identifier: LGPL-3.0-or-later
+# Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 """No page of the built manual is wider than a window of 1200 or of 400 pixels: what is wider scrolls
 by itself. Headless Chromium shows every page for readers in a frame of that width.
 

@@ -1,6 +1,5 @@
 #!/usr/bin/env python3
-# Copyright (c) 2026 The Conformal Geometry Processing authors
-# SPDX-License-Identifier: LGPL-3.0-or-later
+# Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 """MeshLab reads the PLY files of `conformal`: colours, quality and texture coordinates come out of
 it as they went in, and its window under Xvfb shows the colours and the texture.
 

@@ -1,6 +1,5 @@
 #!/usr/bin/env python3
-# Copyright (c) 2026 The Conformal Geometry Processing authors
-# SPDX-License-Identifier: LGPL-3.0-or-later
+# Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 """At most 70 types are public: classes and enumerations directly in the library's namespace. Each of
 them, and each alias there, is named in the README, the overview, the manual or on the page of a concept. All
 others are in its namespace `internal`, or members of a class.

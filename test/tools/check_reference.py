@@ -1,6 +1,5 @@
 #!/usr/bin/env python3
-# Copyright (c) 2026 The Conformal Geometry Processing authors
-# SPDX-License-Identifier: LGPL-3.0-or-later
+# Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 """The reference fits the headers: each function documents the named parameters that it accepts, all
 of them with a default, doc/parameters.md is the table of these, and the page of a concept names
 the header of every type of the library that its functions take or return.

@@ -1,6 +1,5 @@
 #!/usr/bin/env python3
-# Copyright (c) 2026 The Conformal Geometry Processing authors
-# SPDX-License-Identifier: LGPL-3.0-or-later
+# Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 """The page that `conformal studio` writes does in headless Chromium what it offers: painting by mouse,
 finger and key, formulas, pulled points, undo, the flow, refusals, saving; what it finds is what the program finds
 for the files that it saves; it asks for nothing, complains about nothing, and its memory is bounded.

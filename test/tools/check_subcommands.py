@@ -1,6 +1,5 @@
 #!/usr/bin/env python3
-# Copyright (c) 2026 The Conformal Geometry Processing authors
-# SPDX-License-Identifier: LGPL-3.0-or-later
+# Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 """Every subcommand of `conformal` is in the list of commands.cmake, in the table of
 doc/manual/program.txt and in the list of doc/overview.md; its help has an example; a test of
 test/program/ runs it, and says in its head that it tests its file."""

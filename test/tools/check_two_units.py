@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-# Copyright (c) 2026 The Conformal Geometry Processing authors
-# SPDX-License-Identifier: LGPL-3.0-or-later
-"""Header-only: all headers in two translation units that are linked. A function that is not inline, or
-a variable that is defined twice, does not link. The second is a copy of what the first became.
+# Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+"""The library header-only, as header_only.py writes it, in two translation units that are linked. A
+function that is not inline, or a variable that is defined twice, does not link. The second is a copy
+of what the first became.
 
 usage: check_two_units.py COMPILER [COMPILER ARGUMENT...]
 """
@@ -14,13 +14,15 @@ import sys
 import tempfile
 
 import check_headers_alone
+import header_only
 import sources
 
 
 def source():
     return "\n".join(f"#include <{sources.LIBRARY}/{header.as_posix()}>"
-                     for header in sources.interfaces()
-                     if not check_headers_alone.needs_more(header)) + "\n"
+                     for header in sources.headers()
+                     if not check_headers_alone.needs_more(header)
+                     and header.name != header_only.CONFIG) + "\n"
 
 
 def main():
@@ -29,8 +31,8 @@ def main():
         folder = pathlib.Path(name)
         (folder / "all.cpp").write_text(source(), encoding="utf-8")
         (folder / "main.cpp").write_text("int main() {}\n", encoding="utf-8")
-        command = [*compiler, "-std=c++17", "-O0", "-DCONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY",
-                   "-I", sources.ROOT / "include"]
+        header_only.write(folder)
+        command = [*compiler, "-std=c++17", "-O0", "-I", folder]
         subprocess.run([*command, "-c", "all.cpp", "-o", "all.o"], cwd=folder, check=True)
         shutil.copy(folder / "all.o", folder / "second.o")
         result = subprocess.run([*command, "main.cpp", "all.o", "second.o", "-lpthread", "-o", "main"],

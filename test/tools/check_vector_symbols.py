@@ -1,6 +1,5 @@
 #!/usr/bin/env python3
-# Copyright (c) 2026 The Conformal Geometry Processing authors
-# SPDX-License-Identifier: LGPL-3.0-or-later
+# Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 """An object file that is compiled for a vector unit defines nothing that another file may define as
 well, and no other file defines what belongs to the unit: of two definitions a linker keeps any.
 

@@ -1,5 +1,4 @@
-# Copyright (c) 2026 The Conformal Geometry Processing authors
-# SPDX-License-Identifier: LGPL-3.0-or-later
+# Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 """Counts the frames of the call stack each time that X is assembled, in `spin_transform()` of
 examples/first_program.cpp and in `conformal spin`: builds both without optimization, and runs them
 under gdb on a sphere."""

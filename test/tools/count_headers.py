@@ -1,7 +1,6 @@
-# Copyright (c) 2026 The Conformal Geometry Processing authors
-# SPDX-License-Identifier: LGPL-3.0-or-later
-"""Counts the headers with executed lines in one spin transformation of a sphere: compiles it
-header-only with g++ --coverage, runs it, and asks gcov which lines of which headers ran."""
+# Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+"""Counts the headers of which lines are executed in one spin transformation of a sphere: compiles it
+header-only with g++ --coverage, runs it, and asks gcov which lines of which files ran."""
 
 import collections
 import gzip
@@ -10,6 +9,7 @@ import pathlib
 import re
 import subprocess
 
+import header_only
 import sources
 
 PROGRAM = """
@@ -30,8 +30,8 @@ int main()
 def executed(folder):
     """The library's headers with at least one executed line, by folder of the library."""
     (folder / "one.cpp").write_text(PROGRAM)
-    flags = ["-std=c++17", "-O0", "--coverage", "-DCONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY",
-             f"-I{sources.INCLUDE.parent}", "-isystem", "/usr/include/eigen3", "-pthread"]
+    header_only.write(folder)
+    flags = ["-std=c++17", "-O0", "--coverage", "-I.", "-isystem", "/usr/include/eigen3", "-pthread"]
     subprocess.run(["g++", *flags, "one.cpp", "-o", "one"], cwd=folder, check=True)
     subprocess.run(["./one"], cwd=folder, check=True)
     notes = next(folder.glob("*.gcno"))
@@ -47,9 +47,8 @@ def executed(folder):
 
 
 def rows(folder):
-    """(folder of the library, number of headers), and (all, number); X.h, X_impl.h and X_templates.h
-    are one header in three parts."""
-    headers = {re.sub(r"_(impl|templates)\.h$", ".h", header) for header in executed(folder)}
+    """(folder of the library, number of headers), and (all, number); X.h and X_impl.h count as one."""
+    headers = {re.sub(r"_impl\.h$", ".h", header) for header in executed(folder)}
     folders = collections.Counter(header.rpartition("/")[0] for header in headers)
     for name, count in sorted(folders.items()):
         yield [f"`{name}/`", count]

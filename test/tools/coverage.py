@@ -1,11 +1,10 @@
 #!/usr/bin/env python3
-# Copyright (c) 2026 The Conformal Geometry Processing authors
-# SPDX-License-Identifier: LGPL-3.0-or-later
-"""Which lines of the headers the tests have run: per folder, in total, and those that are missing.
+# Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+"""Which lines of the library the tests have run: per folder, in total, and those that are missing.
 
 Reads the counts (.gcda) that tests compiled with CGP_COVERAGE have left in the build folder. A line
 counts as run when one translation unit, one instantiation of its template, has run it; what gcov
-takes for a line is a line. A header that no test has compiled counts with the lines that look like
+takes for a line is a line. A file that no test has compiled counts with the lines that look like
 statements; a template that none instantiates is not seen at all.
 """
 
@@ -26,7 +25,7 @@ STATEMENT = re.compile(r"^\s{2,}(return|throw|if|for|while)\b.*[;{)]$", re.MULTI
 
 
 def lines_of(gcov, counts):
-    """{header: {line: was it run}} of one translation unit."""
+    """{file: {line: was it run}} of one translation unit."""
     with tempfile.TemporaryDirectory() as folder:  # gcov writes nothing there, but it might
         answer = subprocess.run([gcov, "--json-format", "--stdout", str(counts.resolve())],
                                 cwd=folder, capture_output=True, text=True, check=True)
@@ -48,22 +47,22 @@ def merge(lines, more):
         lines[number] = lines.get(number, False) or run
 
 
-def statements(header):
-    """{line: False} of what looks like statements in a header of which gcov knows nothing."""
-    text = (sources.INCLUDE / header).read_text(encoding="utf-8")
+def statements(name):
+    """{line: False} of what looks like statements in a file of which gcov knows nothing."""
+    text = (sources.INCLUDE / name).read_text(encoding="utf-8")
     return {text.count("\n", 0, match.start(1)) + 1: False for match in STATEMENT.finditer(text)}
 
 
 def measure(gcov, build):
-    """{header: {line: was it run}} of all headers, and the number of translation units."""
+    """{file: {line: was it run}} of all files, and the number of translation units."""
     counts = sorted(build.rglob("*.gcda"))
-    total = {header: {} for header in sources.headers()}
+    total = {file: {} for file in sources.library(".h", ".cpp")}
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
         for unit in pool.map(lambda file: lines_of(gcov, file), counts):
-            for header, lines in unit.items():
-                if header in total:  # else it is of an older state of the sources
-                    merge(total[header], lines.items())
-    return {header: lines or statements(header) for header, lines in total.items()}, len(counts)
+            for name, lines in unit.items():
+                if name in total:  # else it is of an older state of the sources
+                    merge(total[name], lines.items())
+    return {name: lines or statements(name) for name, lines in total.items()}, len(counts)
 
 
 def ranges(numbers):
@@ -77,18 +76,18 @@ def ranges(numbers):
     return " ".join(f"{a}" if a == b else f"{a}-{b}" for a, b in parts)
 
 
-def print_missing(headers):
-    for header, lines in headers.items():
+def print_missing(files):
+    for name, lines in files.items():
         missing = [number for number, run in lines.items() if not run]
         if missing:
-            print(f"{header}: {len(missing)} of {len(lines)}: {ranges(missing)}")
+            print(f"{name}: {len(missing)} of {len(lines)}: {ranges(missing)}")
 
 
-def print_table(headers):
+def print_table(files):
     """One row per folder and one for all; returns the percentage of all."""
     rows = collections.defaultdict(lambda: [0, 0])
-    for header, lines in headers.items():
-        for name in (header.parts[0] if len(header.parts) > 1 else "(entry points)", "all of it"):
+    for path, lines in files.items():
+        for name in (path.parts[0] if len(path.parts) > 1 else "(entry points)", "all of it"):
             rows[name][0] += sum(lines.values())
             rows[name][1] += len(lines)
     print(f"\n{'folder':<20}{'lines':>8}{'run':>8}{'per cent':>10}")
@@ -106,12 +105,12 @@ def main():
     parser.add_argument("--missing", action="store_true", help="list the lines that were not run")
     parser.add_argument("--at-least", type=float, default=0, metavar="PER_CENT")
     arguments = parser.parse_args()
-    headers, units = measure(arguments.gcov, arguments.build)
+    files, units = measure(arguments.gcov, arguments.build)
     if not units:
         sys.exit(f"{arguments.build}: nothing counted; is it configured with CGP_COVERAGE?")
     if arguments.missing:
-        print_missing(headers)
-    percentage = print_table(headers)
+        print_missing(files)
+    percentage = print_table(files)
     print(f"{units} translation units; wanted: {arguments.at_least:g} per cent")
     sys.exit(0 if percentage >= arguments.at_least else 1)
 

@@ -1,5 +1,4 @@
-# Copyright (c) 2026 The Conformal Geometry Processing authors
-# SPDX-License-Identifier: LGPL-3.0-or-later
+# Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 """A page in headless Chromium that is used as by a person: clicks, drags, keys and fingers. Speaks the
 DevTools protocol through pipes, without a network and without a driver."""
 

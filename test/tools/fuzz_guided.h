@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_TOOLS_FUZZ_GUIDED_H
-#define TEST_TOOLS_FUZZ_GUIDED_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <algorithm>
 #include <cstddef>
@@ -36,5 +34,3 @@ std::size_t guided_mutant(std::uint8_t* data, std::size_t size, std::size_t max_
 }
 
 }  // namespace fuzz
-
-#endif

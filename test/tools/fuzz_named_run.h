@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_TOOLS_FUZZ_NAMED_RUN_H
-#define TEST_TOOLS_FUZZ_NAMED_RUN_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "conformal/io/read_surface.h"
 #include "conformal/run.h"
@@ -162,5 +160,3 @@ inline Fate fate(const Command& command, const std::string& content, const std::
 }
 
 }  // namespace fuzz
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_TOOLS_FUZZ_READERS_MUTATIONS_H
-#define TEST_TOOLS_FUZZ_READERS_MUTATIONS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <array>
 #include <cstddef>
@@ -103,5 +101,3 @@ class Mutator {
 };
 
 }  // namespace fuzz
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_TOOLS_FUZZ_READERS_SEEDS_H
-#define TEST_TOOLS_FUZZ_READERS_SEEDS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <cstdint>
 #include <cstring>
@@ -173,5 +171,3 @@ inline std::vector<std::string> glb_seeds()
 }
 
 }  // namespace fuzz
-
-#endif

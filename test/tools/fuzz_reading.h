@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_TOOLS_FUZZ_READING_H
-#define TEST_TOOLS_FUZZ_READING_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "conformal/io/file/io_errors.h"
 #include "conformal/io/glb/read_glb.h"
@@ -79,5 +77,3 @@ inline bool is_read(const std::string& text, const std::string& extension, bool 
 }
 
 }  // namespace fuzz
-
-#endif

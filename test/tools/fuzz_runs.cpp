@@ -1,5 +1,4 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 // Runs the program's commands on damaged small surfaces and counts the outcomes:
 //   fuzz_runs [MUTANTS [SEED [SECONDS [COMMAND]]]]
 // prints a row per format: how many of MUTANTS runs (10000), made from the seed SEED (1), each

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_TOOLS_FUZZ_RUNS_MUTATIONS_H
-#define TEST_TOOLS_FUZZ_RUNS_MUTATIONS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "fuzz_readers_mutations.h"
 
@@ -105,5 +103,3 @@ class Surface_mutator : public Mutator {
 };
 
 }  // namespace fuzz
-
-#endif

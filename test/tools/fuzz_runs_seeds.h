@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_TOOLS_FUZZ_RUNS_SEEDS_H
-#define TEST_TOOLS_FUZZ_RUNS_SEEDS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "conformal/io/obj/write_obj.h"
 #include "conformal/io/off/write_off.h"
@@ -79,5 +77,3 @@ inline std::string seed_file(const Mesh_view& mesh, const std::string& extension
 }
 
 }  // namespace fuzz
-
-#endif

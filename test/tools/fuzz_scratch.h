@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_TOOLS_FUZZ_SCRATCH_H
-#define TEST_TOOLS_FUZZ_SCRATCH_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "fuzz_trials.h"
 #include "support/Temporary_folder.h"
@@ -108,5 +106,3 @@ class Scratch {
 };
 
 }  // namespace fuzz
-
-#endif

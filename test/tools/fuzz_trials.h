@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_TOOLS_FUZZ_TRIALS_H
-#define TEST_TOOLS_FUZZ_TRIALS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <signal.h>
 #include <sys/mman.h>
@@ -173,5 +171,3 @@ class Trials {
 };
 
 }  // namespace fuzz
-
-#endif

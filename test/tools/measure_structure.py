@@ -1,13 +1,12 @@
 #!/usr/bin/env python3
-# Copyright (c) 2026 The Conformal Geometry Processing authors
-# SPDX-License-Identifier: LGPL-3.0-or-later
+# Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 """Writes the counted columns of the tables in doc/developers.md.
 
 usage: measure_structure.py [--measure FOLDER]
 
 A counted table stands between two comments of the page. A row that has a text of its own, as on
 what a folder contains, keeps it. With --measure it also counts what has to be compiled, in FOLDER:
-headers with executed lines (g++, gcov) and frames of the call stack (cmake, gdb).
+headers whose lines are executed (g++, gcov) and frames of the call stack (cmake, gdb).
 """
 
 import pathlib
@@ -84,11 +83,11 @@ def layers(old, level_of, files_of):
 
 def library(old):
     def files_of(folder):
-        root = sources.INCLUDE
-        return sorted(root.glob("*.h") if folder == "." else (root / folder).rglob("*.h"))
+        return [sources.INCLUDE / file for file in sources.library(".h", ".cpp")
+                if (file.parts[0] if len(file.parts) > 1 else ".") == folder]
 
     levels = {**check_layers.LEVEL, ".": check_layers.ENTRY_POINTS}
-    return table_of(["layer", "folder", "contents", "headers:", "lines:"], layers(old, levels, files_of))
+    return table_of(["layer", "folder", "contents", "files:", "lines:"], layers(old, levels, files_of))
 
 
 def program(old):

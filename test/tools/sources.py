@@ -1,5 +1,4 @@
-# Copyright (c) 2026 The Conformal Geometry Processing authors
-# SPDX-License-Identifier: LGPL-3.0-or-later
+# Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 """What the checks share: where the sources are, what they include, how a check reports."""
 
 import pathlib
@@ -22,18 +21,13 @@ GPL_HEADER = re.compile(r"(_Surface_mesh|_Polyhedron_3|_parameterizer_3)\.h$"
 OPTIONAL_HEADER = re.compile(r"^linear_algebra/adapters/(Petsc|Slepc)_[^/]*\.h$")
 
 
-# X_impl.h defines the functions that X.h declares, X_templates.h its templates.
-DEFINITIONS = re.compile(r"_(impl|templates)\.h$")
+def library(*suffixes):
+    """The files of the library with one of the suffixes, as paths below include/Conformal_geometry_processing."""
+    return sorted(path.relative_to(INCLUDE) for path in INCLUDE.rglob("*") if path.suffix in suffixes)
 
 
 def headers():
-    """The headers of the library, as paths below include/Conformal_geometry_processing."""
-    return sorted(path.relative_to(INCLUDE) for path in INCLUDE.rglob("*.h"))
-
-
-def interfaces():
-    """Those that users include."""
-    return [header for header in headers() if not DEFINITIONS.search(header.name)]
+    return library(".h")
 
 
 def files(*suffixes):

@@ -1,5 +1,4 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 // Compiled twice, for different vector units, and linked to one program: what one part has factored
 // the other may solve with, and both compute the same. The compiled library gives the same bits;
 // used header-only, the linker takes the templates of either part, and results are right.
@@ -67,7 +66,7 @@ int main()
   const std::vector<double> x = solve_baseline(A, first, true), y = solve_avx2(A, second, true);
   const double differences[] = {difference(x, y), difference(x, solve_avx2(A, first, false)),
                                 difference(y, solve_baseline(A, second, false))};
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#ifdef CGP_HEADER_ONLY
   const double allowed = 1e-12;
 #else
   const double allowed = 0;

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_COMMANDS_COMMAND_H
-#define CONFORMAL_COMMANDS_COMMAND_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "conformal/process/Common_options.h"
 #include "conformal/report/Session.h"
@@ -51,5 +49,3 @@ Command make_command(std::string name, std::string about,
 }
 
 }  // namespace conformal
-
-#endif

@@ -1,5 +1,4 @@
-# Copyright (c) 2026 The Conformal Geometry Processing authors
-# SPDX-License-Identifier: LGPL-3.0-or-later
+# Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 # The subcommands: NAME.cpp defines NAME_command(), for each NAME of this list.
 
 set(CGP_ALL_COMMANDS info spin deform fair flow boundary fit blend flatten curve harmonic spectrum

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_COMMANDS_COMMANDS_H
-#define CONFORMAL_COMMANDS_COMMANDS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "Command.h"
 
@@ -21,5 +19,3 @@ std::vector<std::string> commands_not_built();
 extern const char* const how_to_build_all;
 
 }  // namespace conformal
-
-#endif

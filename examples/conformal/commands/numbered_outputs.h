@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_COMMANDS_NUMBERED_OUTPUTS_H
-#define CONFORMAL_COMMANDS_NUMBERED_OUTPUTS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <string>
 #include <vector>
@@ -15,5 +13,3 @@ void require_new_files(const std::string& noun, const std::string& output, int c
                        const std::vector<std::string>& inputs);
 
 }  // namespace conformal
-
-#endif

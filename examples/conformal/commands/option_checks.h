@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_COMMANDS_OPTION_CHECKS_H
-#define CONFORMAL_COMMANDS_OPTION_CHECKS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <string>
 
@@ -19,5 +17,3 @@ std::string not_empty(const std::string& text);
 std::string property_name(const std::string& text);  // of a PLY header: one printable word
 
 }  // namespace conformal
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_COMMANDS_OPTION_GROUPS_H
-#define CONFORMAL_COMMANDS_OPTION_GROUPS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "option_checks.h"
 
@@ -80,5 +78,3 @@ void add_map_limits(CLI::App& command, Verification_limits& limits, bool& force)
 void add_limits(CLI::App& command, Verification_limits& limits, bool& force);
 
 }  // namespace conformal
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_CURVES_CURVE_FLOWS_H
-#define CONFORMAL_CURVES_CURVE_FLOWS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "Curve_options.h"
 
@@ -50,5 +48,3 @@ class Curve_flows {
 };
 
 }  // namespace conformal
-
-#endif

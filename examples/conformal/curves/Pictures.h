@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_CURVES_PICTURES_H
-#define CONFORMAL_CURVES_PICTURES_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "Curve_flows.h"
 #include "Curve_options.h"
@@ -31,5 +29,3 @@ class Pictures {
 };
 
 }  // namespace conformal
-
-#endif

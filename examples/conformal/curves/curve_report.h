@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_CURVES_CURVE_REPORT_H
-#define CONFORMAL_CURVES_CURVE_REPORT_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "Curve_flows.h"
 
@@ -13,5 +11,3 @@ namespace conformal {
 void tell_curves(const Curve_flows& flows, Report& report);
 
 }  // namespace conformal
-
-#endif

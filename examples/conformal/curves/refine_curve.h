@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_CURVES_REFINE_CURVE_H
-#define CONFORMAL_CURVES_REFINE_CURVE_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "conformal/io/data/Plane_curve.h"
 
@@ -12,5 +10,3 @@ namespace conformal {
 void refine(Plane_curve& curve, int count);
 
 }  // namespace conformal
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_INPUT_BOUNDARY_OPTIONS_H
-#define CONFORMAL_INPUT_BOUNDARY_OPTIONS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <limits>
 #include <string>
@@ -21,5 +19,3 @@ struct Prescription_options {
 };
 
 }  // namespace conformal
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_INPUT_CLOSED_CURVE_H
-#define CONFORMAL_INPUT_CLOSED_CURVE_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 
@@ -39,5 +37,3 @@ class Closed_curve {
 CGP::Points tangents(const CGP::Points& closed_polygon);
 
 }  // namespace conformal
-
-#endif

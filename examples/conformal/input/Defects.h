@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_INPUT_DEFECTS_H
-#define CONFORMAL_INPUT_DEFECTS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "Surface_input.h"
 
@@ -45,5 +43,3 @@ void require_closed_surface(const Surface_input& input);
 void require_untouched(const Surface_input& input);
 
 }  // namespace conformal
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_INPUT_EXPRESSION_H
-#define CONFORMAL_INPUT_EXPRESSION_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Eigen/Core>
 
@@ -40,5 +38,3 @@ class Expression {
 };
 
 }  // namespace conformal
-
-#endif

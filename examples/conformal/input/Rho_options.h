@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_INPUT_RHO_OPTIONS_H
-#define CONFORMAL_INPUT_RHO_OPTIONS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <optional>
 #include <string>
@@ -32,5 +30,3 @@ struct Rho_options {
 };
 
 }  // namespace conformal
-
-#endif

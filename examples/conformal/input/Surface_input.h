@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_INPUT_SURFACE_INPUT_H
-#define CONFORMAL_INPUT_SURFACE_INPUT_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "conformal/io/data/Surface_file.h"
 #include "conformal/repair/repair.h"
@@ -56,5 +54,3 @@ std::vector<double> to_file_vertices(const Surface_input& input, const Eigen::Ve
                                      double elsewhere);
 
 }  // namespace conformal
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_INPUT_BOUNDARY_CONDITION_H
-#define CONFORMAL_INPUT_BOUNDARY_CONDITION_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "Boundary_options.h"
 #include "Surface_input.h"
@@ -29,5 +27,3 @@ CGP::Boundary_condition directions_of(const Surface_input& input, const CGP::Mes
                                       Boundary_choice choice);
 
 }  // namespace conformal
-
-#endif

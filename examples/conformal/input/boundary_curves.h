@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_INPUT_BOUNDARY_CURVES_H
-#define CONFORMAL_INPUT_BOUNDARY_CURVES_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "Closed_curve.h"
 #include "Surface_input.h"
@@ -24,5 +22,3 @@ std::vector<Closed_curve> read_curves(const std::string& path);
 CGP::Points tangents_of_curves(const Surface_input& input, const std::string& path);
 
 }  // namespace conformal
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_INPUT_CORRECTED_FORMULA_H
-#define CONFORMAL_INPUT_CORRECTED_FORMULA_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <string>
 #include <vector>
@@ -22,5 +20,3 @@ struct Formula_names {
 std::string corrected_formula(const std::string& text, const Formula_names& names);
 
 }  // namespace conformal
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_INPUT_FILTER_RHO_H
-#define CONFORMAL_INPUT_FILTER_RHO_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "Rho_options.h"
 #include "Surface_input.h"
@@ -24,5 +22,3 @@ CGP::Curvature_potential filtered(const Surface_input& input, const CGP::Curvatu
                                   const Filter_request& filter);
 
 }  // namespace conformal
-
-#endif

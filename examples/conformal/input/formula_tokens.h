@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_INPUT_FORMULA_TOKENS_H
-#define CONFORMAL_INPUT_FORMULA_TOKENS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <string>
 #include <string_view>
@@ -28,5 +26,3 @@ std::string formula_of(const Formula_tokens& tokens);
 std::size_t closing_of(const Formula_tokens& tokens, std::size_t opening);
 
 }  // namespace conformal
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_INPUT_RHO_H
-#define CONFORMAL_INPUT_RHO_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "Rho_options.h"
 #include "Surface_input.h"
@@ -32,5 +30,3 @@ CGP::Curvature_potential rho_from_file(const Surface_input& input, const Rho_opt
 CGP::Curvature_potential rho_from_image(const Surface_input& input, const Rho_options&);
 
 }  // namespace conformal
-
-#endif

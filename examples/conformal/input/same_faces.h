@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_INPUT_SAME_FACES_H
-#define CONFORMAL_INPUT_SAME_FACES_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "Defects.h"
 #include "Surface_input.h"
@@ -35,5 +33,3 @@ Surface_input read_surface_like(const Surface_input& first, const std::string& p
                                 Flat_faces flat_faces = Flat_faces::refused);
 
 }  // namespace conformal
-
-#endif

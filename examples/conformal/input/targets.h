@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_INPUT_TARGETS_H
-#define CONFORMAL_INPUT_TARGETS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "Surface_input.h"
 
@@ -42,5 +40,3 @@ std::vector<CGP::internal::Control_point> control_points(const std::vector<Targe
                                                          const std::vector<int>& vertices);
 
 }  // namespace conformal
-
-#endif

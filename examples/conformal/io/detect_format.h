@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_IO_DETECT_FORMAT_H
-#define CONFORMAL_IO_DETECT_FORMAT_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "conformal/io/data/Surface_file.h"
 
@@ -22,5 +20,3 @@ const char* name_of(File_format format);
 File_format detect_format(std::string_view bytes, const std::string& path);
 
 }  // namespace conformal
-
-#endif

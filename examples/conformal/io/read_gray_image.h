@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_IO_READ_GRAY_IMAGE_H
-#define CONFORMAL_IO_READ_GRAY_IMAGE_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/painting/Gray_image.h>
 
@@ -20,5 +18,3 @@ CGP::Gray_image parse_gray_image(std::string_view bytes, const std::string& path
 CGP::Gray_image read_gray_image(const std::string& path);
 
 }  // namespace conformal
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_IO_READ_PLANE_CURVES_H
-#define CONFORMAL_IO_READ_PLANE_CURVES_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "conformal/io/data/Plane_curve.h"
 
@@ -26,5 +24,3 @@ std::vector<Plane_curve> read_plane_curves(const std::string& path, const Curve_
                                            std::vector<std::string>& notes);
 
 }  // namespace conformal
-
-#endif

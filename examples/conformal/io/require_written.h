@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_IO_REQUIRE_WRITTEN_H
-#define CONFORMAL_IO_REQUIRE_WRITTEN_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "conformal/io/data/Surface_file.h"
 
@@ -21,5 +19,3 @@ void require_written(const std::string& path, const Surface_file& meant, std::st
                      std::vector<std::string>& notes);
 
 }  // namespace conformal
-
-#endif

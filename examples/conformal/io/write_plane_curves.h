@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_IO_WRITE_PLANE_CURVES_H
-#define CONFORMAL_IO_WRITE_PLANE_CURVES_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "conformal/io/data/Plane_curve.h"
 
@@ -27,5 +25,3 @@ void write_animation(const std::string& path, const std::vector<Curve_picture>& 
 void require_curve_format(const std::string& path);
 
 }  // namespace conformal
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_IO_WRITE_SURFACE_H
-#define CONFORMAL_IO_WRITE_SURFACE_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "conformal/io/data/Surface_file.h"
 
@@ -22,5 +20,3 @@ File_format output_format(const std::string& path);
 std::vector<std::string> write_surface(const std::string& path, const Surface_file& file);
 
 }  // namespace conformal
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_PROCESS_COMMON_OPTIONS_H
-#define CONFORMAL_PROCESS_COMMON_OPTIONS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <string>
 
@@ -25,5 +23,3 @@ struct Common_options {
 };
 
 }  // namespace conformal
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_PROCESS_FAILURE_H
-#define CONFORMAL_PROCESS_FAILURE_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <stdexcept>
 #include <string>
@@ -39,5 +37,3 @@ inline Failure unsuitable(const std::string& path, const std::string& message)
 }
 
 }  // namespace conformal
-
-#endif

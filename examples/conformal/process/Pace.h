@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_PROCESS_PACE_H
-#define CONFORMAL_PROCESS_PACE_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <functional>
 
@@ -30,5 +28,3 @@ class Pace {
 };
 
 }  // namespace conformal
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_PROCESS_PROGRESS_H
-#define CONFORMAL_PROCESS_PROGRESS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "Common_options.h"
 #include "Pace.h"
@@ -53,5 +51,3 @@ class Progress {
 };
 
 }  // namespace conformal
-
-#endif

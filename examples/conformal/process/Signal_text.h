@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_PROCESS_SIGNAL_TEXT_H
-#define CONFORMAL_PROCESS_SIGNAL_TEXT_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <unistd.h>
 
@@ -40,5 +38,3 @@ inline void write_to_stderr(const char* text) noexcept
 }
 
 }  // namespace conformal
-
-#endif

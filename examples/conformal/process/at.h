@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_PROCESS_AT_H
-#define CONFORMAL_PROCESS_AT_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <cstddef>
 
@@ -14,5 +12,3 @@ inline std::size_t at(int i)
 }
 
 }  // namespace conformal
-
-#endif

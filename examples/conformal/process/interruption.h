@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_PROCESS_INTERRUPTION_H
-#define CONFORMAL_PROCESS_INTERRUPTION_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <string>
 
@@ -37,5 +35,3 @@ bool has_written() noexcept;
 void throw_if_interrupted(const std::string& consequence = what_was_written());
 
 }  // namespace conformal
-
-#endif

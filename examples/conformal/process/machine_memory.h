@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_PROCESS_MACHINE_MEMORY_H
-#define CONFORMAL_PROCESS_MACHINE_MEMORY_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <string>
 
@@ -20,5 +18,3 @@ double memory_of_control_groups(const std::string& root = "");
 double machine_memory();
 
 }  // namespace conformal
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_PROCESS_MEMORY_H
-#define CONFORMAL_PROCESS_MEMORY_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 namespace conformal {
 
@@ -14,5 +12,3 @@ void limit_memory(double gibibytes);
 const char* why_memory_is_out();
 
 }  // namespace conformal
-
-#endif

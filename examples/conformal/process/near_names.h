@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_PROCESS_NEAR_NAMES_H
-#define CONFORMAL_PROCESS_NEAR_NAMES_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <string>
 #include <string_view>
@@ -20,5 +18,3 @@ std::vector<std::string> near_names(std::string_view wrong, const std::vector<st
 std::string listed(const std::vector<std::string>& names);
 
 }  // namespace conformal
-
-#endif

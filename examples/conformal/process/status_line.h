@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_PROCESS_STATUS_LINE_H
-#define CONFORMAL_PROCESS_STATUS_LINE_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <string>
 
@@ -17,5 +15,3 @@ void set_status(const std::string& text);
 void write_status() noexcept;
 
 }  // namespace conformal
-
-#endif

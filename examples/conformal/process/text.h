@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_PROCESS_TEXT_H
-#define CONFORMAL_PROCESS_TEXT_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <cstddef>
 #include <string>
@@ -23,5 +21,3 @@ std::string printable_line(std::string_view text);
 std::string count_of(std::size_t count, std::string_view noun);
 
 }  // namespace conformal
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_PROCESS_THREADS_H
-#define CONFORMAL_PROCESS_THREADS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 namespace conformal {
 
@@ -12,5 +10,3 @@ namespace conformal {
 void set_threads(int count);
 
 }  // namespace conformal
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_PROCESS_VERSIONS_H
-#define CONFORMAL_PROCESS_VERSIONS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <string>
 
@@ -11,5 +9,3 @@ namespace conformal {
 std::string versions();
 
 }  // namespace conformal
-
-#endif

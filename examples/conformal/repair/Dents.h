@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_REPAIR_DENTS_H
-#define CONFORMAL_REPAIR_DENTS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "Plane_polygon.h"
 
@@ -33,5 +31,3 @@ class Dents {
 };
 
 }  // namespace conformal
-
-#endif

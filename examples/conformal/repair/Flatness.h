@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_REPAIR_FLATNESS_H
-#define CONFORMAL_REPAIR_FLATNESS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "Triangle_soup.h"
 
@@ -62,5 +60,3 @@ class Flatness {
 };
 
 }  // namespace conformal
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_REPAIR_PLANE_POLYGON_H
-#define CONFORMAL_REPAIR_PLANE_POLYGON_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Eigen/Core>
 
@@ -20,5 +18,3 @@ inline double twice_area(const Eigen::Vector2d& a, const Eigen::Vector2d& b,
 }
 
 }  // namespace conformal
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_REPAIR_TRIANGLE_SOUP_H
-#define CONFORMAL_REPAIR_TRIANGLE_SOUP_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "select_faces.h"
 
@@ -83,5 +81,3 @@ class Triangle_soup {
 };
 
 }  // namespace conformal
-
-#endif

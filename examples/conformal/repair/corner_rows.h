@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_REPAIR_CORNER_ROWS_H
-#define CONFORMAL_REPAIR_CORNER_ROWS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "conformal/io/data/Surface_file.h"
 
@@ -44,5 +42,3 @@ inline double share_along(const Point& a, const Point& b, const Point& c)
 }
 
 }  // namespace conformal
-
-#endif

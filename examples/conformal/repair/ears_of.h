@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_REPAIR_EARS_OF_H
-#define CONFORMAL_REPAIR_EARS_OF_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "Plane_polygon.h"
 
@@ -20,5 +18,3 @@ namespace conformal {
 std::vector<std::array<std::size_t, 3>> ears_of(const Plane_polygon& polygon);
 
 }  // namespace conformal
-
-#endif

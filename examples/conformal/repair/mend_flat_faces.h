@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_REPAIR_MEND_FLAT_FACES_H
-#define CONFORMAL_REPAIR_MEND_FLAT_FACES_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "conformal/io/data/Surface_file.h"
 
@@ -42,5 +40,3 @@ struct Mended_faces {
 Mended_faces mend_flat_faces(Surface_file& file);
 
 }  // namespace conformal
-
-#endif

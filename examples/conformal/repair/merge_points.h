@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_REPAIR_MERGE_POINTS_H
-#define CONFORMAL_REPAIR_MERGE_POINTS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "conformal/io/data/Surface_file.h"
 
@@ -27,5 +25,3 @@ inline std::vector<int> merge_points(const std::vector<Point>& points)
 }
 
 }  // namespace conformal
-
-#endif

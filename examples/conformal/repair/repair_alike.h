@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_REPAIR_REPAIR_ALIKE_H
-#define CONFORMAL_REPAIR_REPAIR_ALIKE_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "repair.h"
 
@@ -19,5 +17,3 @@ namespace conformal {
 void repair_alike(Surface_file& file, const Repair& first);
 
 }  // namespace conformal
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_REPAIR_SELECT_FACES_H
-#define CONFORMAL_REPAIR_SELECT_FACES_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "conformal/io/data/Surface_file.h"
 
@@ -34,5 +32,3 @@ void select_vertices(Surface_file& file, const std::vector<int>& kept);
 Surface_file part_of(const Surface_file& file, const std::vector<int>& faces);
 
 }  // namespace conformal
-
-#endif

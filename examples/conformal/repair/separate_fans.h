@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_REPAIR_SEPARATE_FANS_H
-#define CONFORMAL_REPAIR_SEPARATE_FANS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "Corner_fans.h"
 
@@ -22,5 +20,3 @@ struct Separated_vertices {
 Separated_vertices separate_fans(Surface_file& file, const Corner_fans& fans);
 
 }  // namespace conformal
-
-#endif

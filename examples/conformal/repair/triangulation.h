@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_REPAIR_TRIANGULATION_H
-#define CONFORMAL_REPAIR_TRIANGULATION_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "conformal/io/data/Surface_file.h"
 
@@ -26,5 +24,3 @@ struct Triangulation {
 Triangulation triangulate(const Surface_file& file);
 
 }  // namespace conformal
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_REPORT_EXHIBIT_H
-#define CONFORMAL_REPORT_EXHIBIT_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 
@@ -27,5 +25,3 @@ struct Exhibit {
 };
 
 }  // namespace conformal
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_REPORT_OUTCOME_H
-#define CONFORMAL_REPORT_OUTCOME_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "Exhibit.h"
 #include "Report.h"
@@ -64,5 +62,3 @@ struct Component_outcome {
 std::string to_json(const Outcome& outcome);
 
 }  // namespace conformal
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_REPORT_REPORT_H
-#define CONFORMAL_REPORT_REPORT_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "Grid.h"
 #include "Table.h"
@@ -57,5 +55,3 @@ class Report {
 };
 
 }  // namespace conformal
-
-#endif

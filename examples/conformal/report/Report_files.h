@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_REPORT_REPORT_FILES_H
-#define CONFORMAL_REPORT_REPORT_FILES_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "Outcome.h"
 
@@ -29,5 +27,3 @@ class Report_files {
 };
 
 }  // namespace conformal
-
-#endif

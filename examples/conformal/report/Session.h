@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_REPORT_SESSION_H
-#define CONFORMAL_REPORT_SESSION_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "Outcome.h"
 
@@ -77,5 +75,3 @@ class Session {
 };
 
 }  // namespace conformal
-
-#endif

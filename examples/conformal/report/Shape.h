@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_REPORT_SHAPE_H
-#define CONFORMAL_REPORT_SHAPE_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 
@@ -20,5 +18,3 @@ struct Shape {
 Shape shape(const Conformal_geometry_processing::Mesh_view& mesh);
 
 }  // namespace conformal
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_REPORT_TABLE_H
-#define CONFORMAL_REPORT_TABLE_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <string>
 #include <utility>
@@ -24,5 +22,3 @@ class Table {
 };
 
 }  // namespace conformal
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_REPORT_VERIFICATION_LIMITS_H
-#define CONFORMAL_REPORT_VERIFICATION_LIMITS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 namespace conformal {
 
@@ -17,5 +15,3 @@ struct Verification_limits {
 };
 
 }  // namespace conformal
-
-#endif

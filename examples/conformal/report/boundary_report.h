@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_REPORT_BOUNDARY_REPORT_H
-#define CONFORMAL_REPORT_BOUNDARY_REPORT_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "Report.h"
 
@@ -19,5 +17,3 @@ void tell_boundary(const CGP::Mesh_view& mesh, const CGP::Boundary_condition& co
                    const CGP::Spin_report& spin, Report& report);
 
 }  // namespace conformal
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_REPORT_CERTIFICATE_H
-#define CONFORMAL_REPORT_CERTIFICATE_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "Outcome.h"
 
@@ -23,5 +21,3 @@ void tell_conformality(const CGP::Conformality& map, int faces, Report& report);
 void tell_mollification(const CGP::Spin_report::Mollification& made, Report& report);
 
 }  // namespace conformal
-
-#endif

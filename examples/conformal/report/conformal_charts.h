@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_REPORT_CONFORMAL_CHARTS_H
-#define CONFORMAL_REPORT_CONFORMAL_CHARTS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "Exhibit.h"
 
@@ -16,5 +14,3 @@ namespace conformal {
 Corner_places conformal_charts(const CGP::Mesh_view& mesh);
 
 }  // namespace conformal
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_REPORT_FACE_REGIONS_H
-#define CONFORMAL_REPORT_FACE_REGIONS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 
@@ -17,5 +15,3 @@ namespace CGP = Conformal_geometry_processing;
 std::vector<int> face_regions(const CGP::Mesh_view& mesh, int count);
 
 }  // namespace conformal
-
-#endif

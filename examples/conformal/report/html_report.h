@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_REPORT_HTML_REPORT_H
-#define CONFORMAL_REPORT_HTML_REPORT_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "Exhibit.h"
 
@@ -21,5 +19,3 @@ std::string html_report(const Exhibit& exhibit, const std::string& json);
 std::string why_no_html_reports();
 
 }  // namespace conformal
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_REPORT_KEEP_EXHIBIT_H
-#define CONFORMAL_REPORT_KEEP_EXHIBIT_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "Session.h"
 
@@ -20,5 +18,3 @@ void keep_exhibit(const Surface_input& before, const CGP::Points& after, Session
 void keep_flat_exhibit(const Surface_input& before, const CGP::Points& after, Session& session);
 
 }  // namespace conformal
-
-#endif

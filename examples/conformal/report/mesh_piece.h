@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_REPORT_MESH_PIECE_H
-#define CONFORMAL_REPORT_MESH_PIECE_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 
@@ -24,5 +22,3 @@ Mesh_piece mesh_piece(const CGP::Mesh_view& mesh, std::vector<int> faces,
                       const std::vector<int>& region);
 
 }  // namespace conformal
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_REPORT_PAGE_BLOCKS_H
-#define CONFORMAL_REPORT_PAGE_BLOCKS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "conformal/io/file/base64.h"
 #include "conformal/io/file/little_endian.h"
@@ -38,5 +36,3 @@ std::string json_block(const std::string& name, const std::string& json);
 void require_page_name(const std::string& path);
 
 }  // namespace conformal
-
-#endif

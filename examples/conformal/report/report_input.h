@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_REPORT_REPORT_INPUT_H
-#define CONFORMAL_REPORT_REPORT_INPUT_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "Report.h"
 
@@ -15,5 +13,3 @@ namespace conformal {
 void report_input(const Surface_input& input, Report& report, const std::string& place = "input");
 
 }  // namespace conformal
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_REPORT_REPORT_PAGE_H
-#define CONFORMAL_REPORT_REPORT_PAGE_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <cstddef>
 
@@ -22,5 +20,3 @@ extern const char* const report_page_fault;
 extern const char* const report_page_advice;
 
 }  // namespace conformal
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_REPORT_SOLVE_FLAT_H
-#define CONFORMAL_REPORT_SOLVE_FLAT_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 #include <Conformal_geometry_processing/parameterization/spectral_parameterization.h>
@@ -18,5 +16,3 @@ CGP::internal::Parameterization_result solve_flat(const CGP::Mesh_view& mesh,
                                                   const std::string& function);
 
 }  // namespace conformal
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_REPORT_TARGET_REPORT_H
-#define CONFORMAL_REPORT_TARGET_REPORT_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "Report.h"
 #include "Verification_limits.h"
@@ -27,5 +25,3 @@ void tell_collar(const CGP::Conformality& collar, Report& report);
 std::string fault_of_targets(const CGP::Spin_report& spin, const Verification_limits& limits);
 
 }  // namespace conformal
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_REPORT_VERIFICATION_H
-#define CONFORMAL_REPORT_VERIFICATION_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "Verification_limits.h"
 
@@ -63,5 +61,3 @@ int measured_faces(const CGP::Spin_report& report, int faces);
 CGP::Mesh_view measured_part(const CGP::Mesh_view& mesh, bool is_mollified);
 
 }  // namespace conformal
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_STUDIO_STUDIO_SURFACE_H
-#define CONFORMAL_STUDIO_STUDIO_SURFACE_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "conformal/report/Outcome.h"
 
@@ -80,5 +78,3 @@ class Studio_surface {
 };
 
 }  // namespace conformal
-
-#endif

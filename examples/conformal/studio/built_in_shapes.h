@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_STUDIO_BUILT_IN_SHAPES_H
-#define CONFORMAL_STUDIO_BUILT_IN_SHAPES_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "studio_page.h"
 
@@ -14,5 +12,3 @@ namespace conformal {
 std::vector<Studio_shape> built_in_shapes();
 
 }  // namespace conformal
-
-#endif

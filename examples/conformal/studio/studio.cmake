@@ -1,7 +1,7 @@
-# Copyright (c) 2026 The Conformal Geometry Processing authors
-# SPDX-License-Identifier: LGPL-3.0-or-later
+# Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 # Puts the page of `conformal studio` into the target conformal_lib, or, where there is no emscripten or
-# no three.js, the reason and what to do. em++ compiles the kernels to WebAssembly; they need Eigen's headers only.
+# no three.js, the reason and what to do. em++ compiles to WebAssembly what the page needs of the program and of the
+# libraries, which need Eigen's headers only.
 
 set(studio_fault "")
 set(CGP_HAS_STUDIO FALSE)
@@ -35,19 +35,34 @@ if(CGP_HAS_STUDIO)
   foreach(folder IN LISTS json_folders) # behind those of emscripten, whose C library it must not hide
     list(APPEND folders -idirafter ${folder})
   endforeach()
+  set(sources studio/Studio_surface studio/wasm/kernels report/verification report/certificate
+              report/target_report report/Report report/Table report/Grid report/Outcome report/Outcome_json
+              process/text input/User_frame)
+  list(TRANSFORM sources REPLACE "(.+)" "${CMAKE_CURRENT_SOURCE_DIR}/conformal/\\1.cpp")
+  include(Reached_files)
+  file(GLOB_RECURSE library CONFIGURE_DEPENDS ${CGP_INCLUDE}/*.cpp)
+  cgp_reached(reached "${sources}" "${library}")
+  list(FILTER reached INCLUDE REGEX "^${CGP_INCLUDE}/.*\\.cpp$")
+  set(number 0)
+  while(reached) # some files are one unit, as in the libraries
+    list(SUBLIST reached 0 ${CGP_LIBRARY_FILES_TOGETHER} some)
+    list(REMOVE_ITEM reached ${some})
+    list(TRANSFORM some REPLACE "(.+)" "#include \"\\1\"\n")
+    list(JOIN some "" content)
+    set(unit ${CMAKE_CURRENT_BINARY_DIR}/library_${number}.cpp)
+    file(CONFIGURE OUTPUT ${unit} CONTENT "${content}" @ONLY)
+    list(APPEND sources ${unit})
+    math(EXPR number "${number} + 1")
+  endwhile()
   set(objects "")
-  foreach(source studio/Studio_surface studio/wasm/kernels report/verification report/certificate
-                 report/target_report report/Report report/Table report/Grid report/Outcome report/Outcome_json
-                 process/text input/User_frame)
-    string(REPLACE "/" "_" name ${source})
+  foreach(source IN LISTS sources)
+    cmake_path(GET source STEM name)
     set(object ${CMAKE_CURRENT_BINARY_DIR}/wasm_${name}.o)
     add_custom_command(OUTPUT ${object}
-                       COMMAND ${emxx} -DNDEBUG -DCONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY ${folders}
-                               -MMD -MF ${object}.d -MT ${object} -c
-                               ${CMAKE_CURRENT_SOURCE_DIR}/conformal/${source}.cpp -o ${object}
-                       DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/conformal/${source}.cpp
-                       DEPFILE ${object}.d VERBATIM
-                       COMMENT "Compiling ${source}.cpp to WebAssembly")
+                       COMMAND ${emxx} -DNDEBUG -DEIGEN_MAX_ALIGN_BYTES=16 -DEIGEN_MALLOC_ALREADY_ALIGNED=0
+                               ${folders} -MMD -MF ${object}.d -MT ${object} -c ${source} -o ${object}
+                       DEPENDS ${source} DEPFILE ${object}.d VERBATIM
+                       COMMENT "Compiling ${name}.cpp to WebAssembly")
     list(APPEND objects ${object})
   endforeach()
   set(kernels ${CMAKE_CURRENT_BINARY_DIR}/studio_kernels.js)

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_STUDIO_STUDIO_PAGE_H
-#define CONFORMAL_STUDIO_STUDIO_PAGE_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "conformal/report/Exhibit.h"
 
@@ -32,5 +30,3 @@ std::string studio_page(const std::vector<Studio_shape>& shapes);
 std::string why_no_studio();
 
 }  // namespace conformal
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_STUDIO_STUDIO_PAGE_TEXT_H
-#define CONFORMAL_STUDIO_STUDIO_PAGE_TEXT_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 namespace conformal {
 
@@ -20,5 +18,3 @@ extern const char* const studio_page_fault;
 extern const char* const studio_page_advice;
 
 }  // namespace conformal
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_TRANSFORM_COMPONENT_H
-#define CONFORMAL_TRANSFORM_COMPONENT_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "conformal/input/Surface_input.h"
 
@@ -39,5 +37,3 @@ CGP::Mesh_view on_component(const CGP::Mesh_view& other, const Component& compon
 void turn_components_outward(Surface_input& input);
 
 }  // namespace conformal
-
-#endif

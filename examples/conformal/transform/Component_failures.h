@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_TRANSFORM_COMPONENT_FAILURES_H
-#define CONFORMAL_TRANSFORM_COMPONENT_FAILURES_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "conformal/process/Failure.h"
 
@@ -46,5 +44,3 @@ class Component_failures {
 };
 
 }  // namespace conformal
-
-#endif

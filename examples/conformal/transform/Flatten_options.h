@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_TRANSFORM_FLATTEN_OPTIONS_H
-#define CONFORMAL_TRANSFORM_FLATTEN_OPTIONS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "cut_open.h"
 
@@ -26,5 +24,3 @@ struct Flatten_options {
 };
 
 }  // namespace conformal
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_TRANSFORM_FLOW_OPTIONS_H
-#define CONFORMAL_TRANSFORM_FLOW_OPTIONS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "conformal/input/Boundary_options.h"
 #include "conformal/report/Verification_limits.h"
@@ -31,5 +29,3 @@ struct Flow_options {
 };
 
 }  // namespace conformal
-
-#endif

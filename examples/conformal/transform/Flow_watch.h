@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_TRANSFORM_FLOW_WATCH_H
-#define CONFORMAL_TRANSFORM_FLOW_WATCH_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "Flow_options.h"
 
@@ -53,5 +51,3 @@ class Flow_watch : public CGP::Flow_visitor {
 };
 
 }  // namespace conformal
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_TRANSFORM_SHORTEST_PATHS_H
-#define CONFORMAL_TRANSFORM_SHORTEST_PATHS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 
@@ -60,5 +58,3 @@ class Shortest_paths {
 };
 
 }  // namespace conformal
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_TRANSFORM_SPIN_OPTIONS_H
-#define CONFORMAL_TRANSFORM_SPIN_OPTIONS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "conformal/input/Boundary_options.h"
 #include "conformal/input/Rho_options.h"
@@ -38,5 +36,3 @@ struct Spin_options {
 };
 
 }  // namespace conformal
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_TRANSFORM_CUT_GRAPH_H
-#define CONFORMAL_TRANSFORM_CUT_GRAPH_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "Shortest_paths.h"
 
@@ -24,5 +22,3 @@ std::vector<int> find_tips(const CGP::Mesh_view& mesh, int count, const Edge_set
 Edge_set cut_graph(const CGP::Mesh_view& mesh, const std::vector<int>& tips, const Edge_set& ways);
 
 }  // namespace conformal
-
-#endif

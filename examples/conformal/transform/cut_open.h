@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_TRANSFORM_CUT_OPEN_H
-#define CONFORMAL_TRANSFORM_CUT_OPEN_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "conformal/input/Surface_input.h"
 
@@ -28,5 +26,3 @@ struct Cut_surface {
 Cut_surface cut_open(const Surface_input& input, const Cut_options& options);
 
 }  // namespace conformal
-
-#endif

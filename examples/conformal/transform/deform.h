@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_TRANSFORM_DEFORM_H
-#define CONFORMAL_TRANSFORM_DEFORM_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "solve_spin.h"
 
@@ -29,5 +27,3 @@ Spin_solution deform(const Surface_input& input, const Spin_problem& problem,
                      const Spin_options& options, const std::string& easier, Session& session);
 
 }  // namespace conformal
-
-#endif

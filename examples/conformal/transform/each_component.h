@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_TRANSFORM_EACH_COMPONENT_H
-#define CONFORMAL_TRANSFORM_EACH_COMPONENT_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "Component.h"
 
@@ -26,5 +24,3 @@ using Component_work = std::function<void(const Component&, Session&)>;
 void each_component(const Surface_input& input, Session& session, const Component_work& work);
 
 }  // namespace conformal
-
-#endif

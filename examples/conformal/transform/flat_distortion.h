@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_TRANSFORM_FLAT_DISTORTION_H
-#define CONFORMAL_TRANSFORM_FLAT_DISTORTION_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/measure/Conformality.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
@@ -22,5 +20,3 @@ struct Flat_distortion {
 Flat_distortion flat_distortion(const CGP::Mesh_view& mesh, const CGP::Points& positions);
 
 }  // namespace conformal
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_TRANSFORM_FLAT_IMAGE_H
-#define CONFORMAL_TRANSFORM_FLAT_IMAGE_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "Flatten_options.h"
 
@@ -19,5 +17,3 @@ CGP::Points flat_image(const Surface_input& input, const Flatten_options& option
                        Session& session);
 
 }  // namespace conformal
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_TRANSFORM_FLOW_REPORT_H
-#define CONFORMAL_TRANSFORM_FLOW_REPORT_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "run_flow.h"
 
@@ -20,5 +18,3 @@ void tell_flow(const Flow_solution& solution, const CGP::Mesh_view& initial,
                const CGP::Spin_report& evidence, Outcome& outcome);
 
 }  // namespace conformal
-
-#endif

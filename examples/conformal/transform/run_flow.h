@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_TRANSFORM_RUN_FLOW_H
-#define CONFORMAL_TRANSFORM_RUN_FLOW_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "Flow_options.h"
 #include "Flow_watch.h"
@@ -22,5 +20,3 @@ Flow_solution run_flow(const CGP::Mesh_view& mesh, const Flow_options& options,
                        const Common_options& common, Flow_watch& watch);
 
 }  // namespace conformal
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_TRANSFORM_SOLVE_FIT_H
-#define CONFORMAL_TRANSFORM_SOLVE_FIT_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "solve_spin.h"
 
@@ -43,5 +41,3 @@ Fit_solution solve_fit(const CGP::Mesh_view& mesh, const Fit_problem& problem,
                        const std::function<bool(const CGP::Eigensolver_progress&)>& go_further);
 
 }  // namespace conformal
-
-#endif

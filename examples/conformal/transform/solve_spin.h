@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_TRANSFORM_SOLVE_SPIN_H
-#define CONFORMAL_TRANSFORM_SOLVE_SPIN_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "Spin_options.h"
 
@@ -52,5 +50,3 @@ Spin_solution solve_spin(const CGP::Mesh_view& mesh, const Spin_problem& problem
                          const Go_further& go_further);
 
 }  // namespace conformal
-
-#endif

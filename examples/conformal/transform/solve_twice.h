@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_TRANSFORM_SOLVE_TWICE_H
-#define CONFORMAL_TRANSFORM_SOLVE_TWICE_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "solve_spin.h"
 
@@ -16,5 +14,3 @@ Spin_solution solve_twice(const CGP::Mesh_view& mesh, const Spin_problem& proble
                           const Spin_options& options, const Session& session);
 
 }  // namespace conformal
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_TRANSFORM_SUGGESTED_FACTOR_H
-#define CONFORMAL_TRANSFORM_SUGGESTED_FACTOR_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "solve_spin.h"
 
@@ -18,5 +16,3 @@ double suggested_factor(const CGP::Mesh_view& mesh, const Spin_problem& refused,
                         const Spin_options& options, const Session& session);
 
 }  // namespace conformal
-
-#endif

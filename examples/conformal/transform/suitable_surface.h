@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_TRANSFORM_SUITABLE_SURFACE_H
-#define CONFORMAL_TRANSFORM_SUITABLE_SURFACE_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "conformal/input/Defects.h"
 #include "conformal/input/Surface_input.h"
@@ -33,5 +31,3 @@ Surface_input read_bounded_surface(const std::string& path, Session& session);
 void require_boundary(const Surface_input& input);
 
 }  // namespace conformal
-
-#endif

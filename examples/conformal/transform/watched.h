@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_TRANSFORM_WATCHED_H
-#define CONFORMAL_TRANSFORM_WATCHED_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "solve_spin.h"
 
@@ -19,5 +17,3 @@ Spin_solution watched(const std::function<Spin_solution(const Go_further&)>& sol
                       const Session& session, const std::string& words = "");
 
 }  // namespace conformal
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_TRANSFORM_WRITE_RESULT_H
-#define CONFORMAL_TRANSFORM_WRITE_RESULT_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "Component.h"
 #include "solve_spin.h"
@@ -52,5 +50,3 @@ void write_result(const Surface_input& input, const Transformed_surface& surface
                   const std::string& lambda = "");
 
 }  // namespace conformal
-
-#endif

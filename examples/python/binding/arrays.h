@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PYTHON_BINDING_ARRAYS_H
-#define CONFORMAL_GEOMETRY_PYTHON_BINDING_ARRAYS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
@@ -53,5 +51,3 @@ Array to_rows(const CGP::Points& p);
 Array to_rows(const Spins& lambda);
 
 }  // namespace conformal_python
-
-#endif

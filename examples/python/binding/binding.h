@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PYTHON_BINDING_BINDING_H
-#define CONFORMAL_GEOMETRY_PYTHON_BINDING_BINDING_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <pybind11/pybind11.h>
 
@@ -18,5 +16,3 @@ void add_surfaces(pybind11::module_& m);
 void add_matrices(pybind11::module_& m);
 
 }  // namespace conformal_python
-
-#endif

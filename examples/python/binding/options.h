@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PYTHON_BINDING_OPTIONS_H
-#define CONFORMAL_GEOMETRY_PYTHON_BINDING_OPTIONS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "arrays.h"
 
@@ -86,5 +84,3 @@ CGP::Spin_transformation_options transformation_options(const py::dict& options,
 CGP::Spin_report::Limits limits(const py::dict& options);
 
 }  // namespace conformal_python
-
-#endif

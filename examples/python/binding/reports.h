@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PYTHON_BINDING_REPORTS_H
-#define CONFORMAL_GEOMETRY_PYTHON_BINDING_REPORTS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/flow/Flow_report.h>
 #include <Conformal_geometry_processing/measure/Conformality.h>
@@ -27,5 +25,3 @@ py::dict as_dict(const CGP::Parameterization_report& r);
 py::dict as_dict(const CGP::internal::Class_snap_report& r);
 
 }  // namespace conformal_python
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PYTHON_BINDING_TRANSFORMATION_H
-#define CONFORMAL_GEOMETRY_PYTHON_BINDING_TRANSFORMATION_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "options.h"
 #include "reports.h"
@@ -19,5 +17,3 @@ inline py::tuple as_tuple(const CGP::Spin_result& result)
 }
 
 }  // namespace conformal_python
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PYTHON_BINDING_WATCH_H
-#define CONFORMAL_GEOMETRY_PYTHON_BINDING_WATCH_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/linear_algebra/krylov/Eigensolver_result.h>
@@ -71,5 +69,3 @@ class Turn {
 };
 
 }  // namespace conformal_python
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_ALGEBRA_HERMITIAN_SPARSE_MATRIX_H
-#define CONFORMAL_GEOMETRY_PROCESSING_ALGEBRA_HERMITIAN_SPARSE_MATRIX_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
 #include <Conformal_geometry_processing/algebra/scalar.h>
@@ -193,9 +191,3 @@ class Hermitian_sparse_matrix {
 };
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix_impl.h>
-#endif
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_ALGEBRA_MOEBIUS_MAP_H
-#define CONFORMAL_GEOMETRY_PROCESSING_ALGEBRA_MOEBIUS_MAP_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/algebra/Quaternion.h>
 #include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
@@ -100,9 +98,3 @@ class Moebius_map {
 };
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/algebra/Moebius_map_impl.h>
-#endif
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_ALGEBRA_QUATERNION_H
-#define CONFORMAL_GEOMETRY_PROCESSING_ALGEBRA_QUATERNION_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Eigen/Core>
 
@@ -137,5 +135,3 @@ static_assert(std::is_aggregate_v<Quaternion<double>> &&
               sizeof(Quaternion<double>) == 4 * sizeof(double));
 
 }  // namespace Conformal_geometry_processing
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_ALGEBRA_QUATERNION_VECTOR_H
-#define CONFORMAL_GEOMETRY_PROCESSING_ALGEBRA_QUATERNION_VECTOR_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/algebra/Quaternion.h>
 #include <Conformal_geometry_processing/algebra/scalar.h>
@@ -176,5 +174,3 @@ typename A::Scalar inner_product(const Eigen::MatrixBase<A>& a, const Eigen::Mat
 }
 
 }  // namespace Conformal_geometry_processing
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_ALGEBRA_QUATERNIONIC_SPARSE_MATRIX_H
-#define CONFORMAL_GEOMETRY_PROCESSING_ALGEBRA_QUATERNIONIC_SPARSE_MATRIX_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
 
@@ -9,9 +7,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace Conformal_geometry_processing {
-
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgAlgebra
 /// \brief A |F| x |V| quaternionic matrix with three entries per row: an operator that maps values
@@ -82,8 +78,4 @@ class Quaternionic_sparse_matrix {
   std::vector<Quaternion<FT>> m_values;
 };
 
-}  // namespace internal
-
-}  // namespace Conformal_geometry_processing
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

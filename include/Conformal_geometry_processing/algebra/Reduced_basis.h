@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_ALGEBRA_REDUCED_BASIS_H
-#define CONFORMAL_GEOMETRY_PROCESSING_ALGEBRA_REDUCED_BASIS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
 #include <Conformal_geometry_processing/algebra/Reduced_rows.h>
@@ -15,9 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace Conformal_geometry_processing {
-
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgAlgebra
 /// \brief The space of quaternionic vectors whose reduced rows lie in given planes of H:
@@ -118,8 +114,4 @@ class Reduced_basis {
   std::vector<Plane> m_planes;  // of all rows, for direct access
 };
 
-}  // namespace internal
-
-}  // namespace Conformal_geometry_processing
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

@@ -1,14 +1,10 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_ALGEBRA_REDUCED_ROWS_H
-#define CONFORMAL_GEOMETRY_PROCESSING_ALGEBRA_REDUCED_ROWS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <cstddef>
 #include <vector>
 
-namespace Conformal_geometry_processing {
-
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgAlgebra
 /// \brief The rows of a quaternionic vector that have two real degrees of freedom instead of four:
@@ -54,12 +50,4 @@ class Reduced_rows {
   int m_count = 0;
 };
 
-}  // namespace internal
-
-}  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/algebra/Reduced_rows_impl.h>
-#endif
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

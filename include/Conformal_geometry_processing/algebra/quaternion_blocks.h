@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_ALGEBRA_QUATERNION_BLOCKS_H
-#define CONFORMAL_GEOMETRY_PROCESSING_ALGEBRA_QUATERNION_BLOCKS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
 
@@ -82,5 +80,3 @@ Quaternion_vector<FT> from_complex(const Vector<std::complex<FT>>& c)
 }
 
 }  // namespace Conformal_geometry_processing
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_ALGEBRA_RANDOM_QUATERNIONS_H
-#define CONFORMAL_GEOMETRY_PROCESSING_ALGEBRA_RANDOM_QUATERNIONS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
 
@@ -18,9 +16,3 @@ Block<Quaternion<double>> random_quaternions(Eigen::Index rows, Eigen::Index col
                                              unsigned seed);
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/algebra/random_quaternions_impl.h>
-#endif
-
-#endif

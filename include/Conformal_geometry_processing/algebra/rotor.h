@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_ALGEBRA_ROTOR_H
-#define CONFORMAL_GEOMETRY_PROCESSING_ALGEBRA_ROTOR_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/algebra/Quaternion.h>
 
@@ -45,5 +43,3 @@ Quaternion<FT> spin_of(const Eigen::Matrix<FT, 3, 3>& R, FT scale)
 }
 
 }  // namespace Conformal_geometry_processing
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_ALGEBRA_SCALAR_H
-#define CONFORMAL_GEOMETRY_PROCESSING_ALGEBRA_SCALAR_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/algebra/Quaternion.h>
 
@@ -93,5 +91,3 @@ struct Scalar_planes<Quaternion<FT>> {
 }  // namespace internal
 
 }  // namespace Conformal_geometry_processing
-
-#endif

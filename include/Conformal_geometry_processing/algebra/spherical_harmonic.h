@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_ALGEBRA_SPHERICAL_HARMONIC_H
-#define CONFORMAL_GEOMETRY_PROCESSING_ALGEBRA_SPHERICAL_HARMONIC_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Eigen/Core>
 
@@ -16,9 +14,3 @@ namespace Conformal_geometry_processing {
 std::complex<double> spherical_harmonic(int l, int m, const Eigen::Vector3d& point);
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/algebra/spherical_harmonic_impl.h>
-#endif
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_ALGEBRA_STABLE_NORM_H
-#define CONFORMAL_GEOMETRY_PROCESSING_ALGEBRA_STABLE_NORM_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Eigen/Core>
 
@@ -17,9 +15,3 @@ double stable_norm(const Eigen::Vector3d& v);
 Eigen::Vector3d stable_normalized(const Eigen::Vector3d& v);
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/algebra/stable_norm_impl.h>
-#endif
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_CONFORMAL_CLASS_CONFORMAL_CLASS_H
-#define CONFORMAL_GEOMETRY_PROCESSING_CONFORMAL_CLASS_CONFORMAL_CLASS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/conformal_class/Edge_scales.h>
 #include <Conformal_geometry_processing/conformal_class/Rim_directions.h>
@@ -14,9 +12,7 @@
 #include <memory>
 #include <utility>
 
-namespace Conformal_geometry_processing {
-
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgConformalClass
 /// When a snap ends
@@ -108,12 +104,4 @@ class Conformal_class {
   Snap_equations m_equations;
 };
 
-}  // namespace internal
-
-}  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/conformal_class/Conformal_class_impl.h>
-#endif
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

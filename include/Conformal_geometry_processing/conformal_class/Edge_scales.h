@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_CONFORMAL_CLASS_EDGE_SCALES_H
-#define CONFORMAL_GEOMETRY_PROCESSING_CONFORMAL_CLASS_EDGE_SCALES_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
@@ -12,9 +10,7 @@
 #include <memory>
 #include <vector>
 
-namespace Conformal_geometry_processing {
-
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgConformalClass
 /// \brief The lengths l_ij of a mesh, from which those of a surface are to differ by factors at the
@@ -49,12 +45,4 @@ class Edge_scales {
   Hermitian_sparse_matrix<double> m_normal_matrix;
 };
 
-}  // namespace internal
-
-}  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/conformal_class/Edge_scales_impl.h>
-#endif
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_CONFORMAL_CLASS_RIM_DIRECTIONS_H
-#define CONFORMAL_GEOMETRY_PROCESSING_CONFORMAL_CLASS_RIM_DIRECTIONS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 
@@ -10,9 +8,7 @@
 #include <array>
 #include <vector>
 
-namespace Conformal_geometry_processing {
-
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgConformalClass
 /// \brief Directions of a surface along its boundary, from which those of other surfaces of the
@@ -51,12 +47,4 @@ class Rim_directions {
   Points m_normals, m_others;               // two unit vectors orthogonal to each kept direction
 };
 
-}  // namespace internal
-
-}  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/conformal_class/Rim_directions_impl.h>
-#endif
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_CONFORMAL_CLASS_SNAP_EQUATIONS_H
-#define CONFORMAL_GEOMETRY_PROCESSING_CONFORMAL_CLASS_SNAP_EQUATIONS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
 #include <Conformal_geometry_processing/conformal_class/Rim_directions.h>
@@ -15,9 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace Conformal_geometry_processing {
-
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgConformalClass
 /// \brief The smallest change (df, du) of a surface and its log scales that removes given residuals
@@ -105,12 +101,4 @@ class Snap_equations {
   std::shared_ptr<const Linearization> m_factorized;  // that of the factor
 };
 
-}  // namespace internal
-
-}  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/conformal_class/Snap_equations_impl.h>
-#endif
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_CORE_ASSOCIATED_PROPERTY_MAP_H
-#define CONFORMAL_GEOMETRY_PROCESSING_CORE_ASSOCIATED_PROPERTY_MAP_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/exceptions.h>
 
@@ -14,9 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace Conformal_geometry_processing {
-
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgMesh
 /// \brief Numbers the current vertices or faces of a mesh, for meshes whose elements have no
@@ -84,8 +80,4 @@ class Associated_property_map {
   std::shared_ptr<std::vector<Value>> m_values;
 };
 
-}  // namespace internal
-
-}  // namespace Conformal_geometry_processing
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_CORE_CONFORMAL_MESH_TRAITS_H
-#define CONFORMAL_GEOMETRY_PROCESSING_CORE_CONFORMAL_MESH_TRAITS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/algebra/Quaternion.h>
 #include <Conformal_geometry_processing/core/geometry_traits.h>
@@ -72,5 +70,3 @@ class Conformal_mesh_traits {
 };
 
 }  // namespace Conformal_geometry_processing
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_CORE_CONFORMAL_MESH_TRAITS_POLYHEDRON_3_H
-#define CONFORMAL_GEOMETRY_PROCESSING_CORE_CONFORMAL_MESH_TRAITS_POLYHEDRON_3_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/core/Associated_property_map.h>
 #include <Conformal_geometry_processing/core/Conformal_mesh_traits.h>
@@ -69,5 +67,3 @@ class Conformal_mesh_traits<CGAL::Polyhedron_3<Kernel, Items, HDS, Allocator>> {
 };
 
 }  // namespace Conformal_geometry_processing
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_CORE_CONFORMAL_MESH_TRAITS_SURFACE_MESH_H
-#define CONFORMAL_GEOMETRY_PROCESSING_CORE_CONFORMAL_MESH_TRAITS_SURFACE_MESH_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/core/Conformal_mesh_traits.h>
 #include <Conformal_geometry_processing/exceptions.h>
@@ -82,5 +80,3 @@ class Conformal_mesh_traits<CGAL::Surface_mesh<Point>> {
 };
 
 }  // namespace Conformal_geometry_processing
-
-#endif

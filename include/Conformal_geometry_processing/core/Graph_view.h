@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_CORE_GRAPH_VIEW_H
-#define CONFORMAL_GEOMETRY_PROCESSING_CORE_GRAPH_VIEW_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/core/geometry_traits.h>
 #include <Conformal_geometry_processing/exceptions.h>
@@ -124,5 +122,3 @@ class Graph_view {
 };
 
 }  // namespace Conformal_geometry_processing
-
-#endif

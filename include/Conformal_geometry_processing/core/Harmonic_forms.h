@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_CORE_HARMONIC_FORMS_H
-#define CONFORMAL_GEOMETRY_PROCESSING_CORE_HARMONIC_FORMS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/core/Associated_property_map.h>
 #include <Conformal_geometry_processing/core/Graph_view.h>
@@ -17,9 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace Conformal_geometry_processing {
-
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgForms
 /// \brief The harmonic 1-forms of a mesh and their tangent fields, as property maps of its
@@ -177,8 +173,4 @@ class Harmonic_forms {
   std::shared_ptr<const Data> m_data;
 };
 
-}  // namespace internal
-
-}  // namespace Conformal_geometry_processing
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_CORE_QUATERNION_ACCESS_H
-#define CONFORMAL_GEOMETRY_PROCESSING_CORE_QUATERNION_ACCESS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/algebra/Quaternion.h>
 
@@ -114,5 +112,3 @@ struct Quaternion_access<Quaternion<FT_>> {
 };
 
 }  // namespace Conformal_geometry_processing
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_CORE_SUPERNODAL_LINEAR_ALGEBRA_TRAITS_H
-#define CONFORMAL_GEOMETRY_PROCESSING_CORE_SUPERNODAL_LINEAR_ALGEBRA_TRAITS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/linear_algebra/direct/Supernodal_cholesky.h>
 
@@ -101,5 +99,3 @@ class Supernodal_linear_algebra_traits {
 };
 
 }  // namespace Conformal_geometry_processing
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_CORE_BOUNDARY_PARAMETERS_H
-#define CONFORMAL_GEOMETRY_PROCESSING_CORE_BOUNDARY_PARAMETERS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/core/Graph_view.h>
 #include <Conformal_geometry_processing/core/geometry_traits.h>
@@ -155,5 +153,3 @@ Boundary_condition boundary_condition(const Graph_view<TriangleMesh>& graph,
 
 }  // namespace internal
 }  // namespace Conformal_geometry_processing
-
-#endif

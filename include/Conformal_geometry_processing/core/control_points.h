@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_CORE_CONTROL_POINTS_H
-#define CONFORMAL_GEOMETRY_PROCESSING_CORE_CONTROL_POINTS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/core/Graph_view.h>
 #include <Conformal_geometry_processing/exceptions.h>
@@ -17,8 +15,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace Conformal_geometry_processing {
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \brief the index of a vertex in the view. Only compares descriptors, because what is no vertex
 /// of the mesh has no entry in a property map. \param k the target that is for it, named in the
@@ -73,7 +70,4 @@ std::vector<Control_point> read_control_points(const Graph_view<TriangleMesh>& g
   return points;
 }
 
-}  // namespace internal
-}  // namespace Conformal_geometry_processing
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

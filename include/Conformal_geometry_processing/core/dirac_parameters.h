@@ -1,14 +1,13 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_CORE_DIRAC_PARAMETERS_H
-#define CONFORMAL_GEOMETRY_PROCESSING_CORE_DIRAC_PARAMETERS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/core/named_parameters.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Solver_ref.h>
+#include <Conformal_geometry_processing/linear_algebra/krylov/Eigensolver_ref.h>
 #include <Conformal_geometry_processing/linear_algebra/krylov/Eigensolver_result.h>
 #include <Conformal_geometry_processing/spin/Dirac_solution.h>
 
-namespace Conformal_geometry_processing {
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// Returns the options of the Dirac solver given by named parameters
 template <class NamedParameters>
@@ -65,7 +64,4 @@ auto asking(Visitor& visitor)
   };
 }
 
-}  // namespace internal
-}  // namespace Conformal_geometry_processing
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_CORE_FOR_EACH_COMPONENT_H
-#define CONFORMAL_GEOMETRY_PROCESSING_CORE_FOR_EACH_COMPONENT_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/core/Graph_view.h>
 #include <Conformal_geometry_processing/mesh/Component_failures.h>
@@ -13,8 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace Conformal_geometry_processing {
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \brief Calls `work(graph)` with a view of each component in turn, and `take(vertices, result)`
 /// with the indices of its vertices in the whole mesh and the result, which has a `report`.
@@ -43,7 +40,4 @@ auto for_each_component(const Graph_view<TriangleMesh>& whole, const std::string
   return all;
 }
 
-}  // namespace internal
-}  // namespace Conformal_geometry_processing
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

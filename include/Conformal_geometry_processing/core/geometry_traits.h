@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_CORE_GEOMETRY_TRAITS_H
-#define CONFORMAL_GEOMETRY_PROCESSING_CORE_GEOMETRY_TRAITS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/core/named_parameters.h>
 
@@ -16,8 +14,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace Conformal_geometry_processing {
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 template <class GeomTraits, class = void>
 struct Is_conformal_geometry_traits : std::false_type {};
@@ -101,7 +98,4 @@ struct Vector_of_point<Point, std::void_t<typename CGAL::Kernel_traits<Point>::K
 template <class Point>
 using Vector_of = typename Vector_of_point<Point>::type;
 
-}  // namespace internal
-}  // namespace Conformal_geometry_processing
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_CORE_NAMED_PARAMETERS_H
-#define CONFORMAL_GEOMETRY_PROCESSING_CORE_NAMED_PARAMETERS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -225,5 +223,3 @@ class GetGeomTraits<Conformal_geometry_processing::parameters::Named_parameters<
 };
 
 }  // namespace CGAL
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_CORE_POINT_RANGES_H
-#define CONFORMAL_GEOMETRY_PROCESSING_CORE_POINT_RANGES_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/core/named_parameters.h>
 #include <Conformal_geometry_processing/curves/Polygon_lengths.h>
@@ -18,8 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace Conformal_geometry_processing {
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 template <class GeomTraits, class = void>
 struct Is_planar_geometry_traits : std::false_type {};
@@ -102,7 +99,4 @@ void write_points(PointRange& points, const Plane_points& positions, const Named
   }
 }
 
-}  // namespace internal
-}  // namespace Conformal_geometry_processing
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

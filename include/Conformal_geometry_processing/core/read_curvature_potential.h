@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_CORE_READ_CURVATURE_POTENTIAL_H
-#define CONFORMAL_GEOMETRY_PROCESSING_CORE_READ_CURVATURE_POTENTIAL_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/core/Graph_view.h>
 #include <Conformal_geometry_processing/operators/Curvature_potential.h>
@@ -15,8 +13,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace Conformal_geometry_processing {
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// rho from a map of the vertices or of the faces
 template <class TriangleMesh, class CurvaturePotentialMap>
@@ -41,7 +38,4 @@ Curvature_potential read_curvature_potential(const Graph_view<TriangleMesh>& gra
           std::move(values)};
 }
 
-}  // namespace internal
-}  // namespace Conformal_geometry_processing
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_CORE_SCALE_PARAMETERS_H
-#define CONFORMAL_GEOMETRY_PROCESSING_CORE_SCALE_PARAMETERS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/core/Graph_view.h>
 #include <Conformal_geometry_processing/core/named_parameters.h>
@@ -11,8 +9,7 @@
 
 #include <Eigen/Core>
 
-namespace Conformal_geometry_processing {
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// the numbers of a map with one per vertex, in the order of the view
 template <class TriangleMesh, class VertexNumberMap>
@@ -39,7 +36,4 @@ Scale_control scale_control(const Graph_view<TriangleMesh>& graph, const NamedPa
   return control;
 }
 
-}  // namespace internal
-}  // namespace Conformal_geometry_processing
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

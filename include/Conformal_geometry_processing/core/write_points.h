@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_CORE_WRITE_POINTS_H
-#define CONFORMAL_GEOMETRY_PROCESSING_CORE_WRITE_POINTS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/core/Graph_view.h>
 #include <Conformal_geometry_processing/core/geometry_traits.h>
@@ -13,8 +11,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace Conformal_geometry_processing {
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// Writes the positions, 3 x |V|, to the output given by named parameters. If a map throws, the
 /// points are restored, unless they are written to a separate output map.
@@ -40,7 +37,4 @@ void write_points(TriangleMesh& mesh, const Graph_view<TriangleMesh>& graph,
   }
 }
 
-}  // namespace internal
-}  // namespace Conformal_geometry_processing
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

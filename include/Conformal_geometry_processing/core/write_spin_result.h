@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_CORE_WRITE_SPIN_RESULT_H
-#define CONFORMAL_GEOMETRY_PROCESSING_CORE_WRITE_SPIN_RESULT_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/core/Graph_view.h>
 #include <Conformal_geometry_processing/core/Quaternion_access.h>
@@ -11,8 +9,7 @@
 
 #include <boost/property_map/property_map.hpp>
 
-namespace Conformal_geometry_processing {
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// the limits of the named parameters, if there are any
 template <class NamedParameters>
@@ -37,7 +34,4 @@ void write_spin_result(TriangleMesh& mesh, const Graph_view<TriangleMesh>& graph
   write_points(mesh, graph, result.positions, np);
 }
 
-}  // namespace internal
-}  // namespace Conformal_geometry_processing
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

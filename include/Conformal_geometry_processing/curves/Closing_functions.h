@@ -1,15 +1,11 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_CURVES_CLOSING_FUNCTIONS_H
-#define CONFORMAL_GEOMETRY_PROCESSING_CURVES_CLOSING_FUNCTIONS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/curves/Polygon_lengths.h>
 
 #include <Eigen/Core>
 
-namespace Conformal_geometry_processing {
-
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgCurves
 /// \brief The functions 1, f^x, f^y on the vertices of a curve f, orthogonalized: a change of
@@ -33,12 +29,4 @@ class Closing_functions {
   Eigen::Vector3d m_norms;  // squared
 };
 
-}  // namespace internal
-
-}  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/curves/Closing_functions_impl.h>
-#endif
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

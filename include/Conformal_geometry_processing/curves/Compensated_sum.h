@@ -1,13 +1,9 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_CURVES_COMPENSATED_SUM_H
-#define CONFORMAL_GEOMETRY_PROCESSING_CURVES_COMPENSATED_SUM_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Eigen/Core>
 
-namespace Conformal_geometry_processing {
-
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgCurves
 /// \brief A compensated running sum of vectors of the plane, accurate to one rounding.
@@ -24,12 +20,4 @@ class Compensated_sum {
   Eigen::Vector2d m_sum = Eigen::Vector2d::Zero(), m_lost = Eigen::Vector2d::Zero();
 };
 
-}  // namespace internal
-
-}  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/curves/Compensated_sum_impl.h>
-#endif
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

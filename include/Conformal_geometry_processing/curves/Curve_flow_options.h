@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_CURVES_CURVE_FLOW_OPTIONS_H
-#define CONFORMAL_GEOMETRY_PROCESSING_CURVES_CURVE_FLOW_OPTIONS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/exceptions.h>
 
@@ -41,9 +39,3 @@ struct Curve_flow_options {
 const Curve_flow_options& checked(const Curve_flow_options& o, const std::string& function);
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/curves/Curve_flow_options_impl.h>
-#endif
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_CURVES_CURVE_FLOW_REPORT_H
-#define CONFORMAL_GEOMETRY_PROCESSING_CURVES_CURVE_FLOW_REPORT_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <vector>
 
@@ -64,9 +62,3 @@ struct [[nodiscard]] Curve_flow_report {
 bool append(Curve_flow_report& report, const Curve_step_report& step);
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/curves/Curve_flow_report_impl.h>
-#endif
-
-#endif

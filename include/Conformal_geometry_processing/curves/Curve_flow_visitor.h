@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_CURVES_CURVE_FLOW_VISITOR_H
-#define CONFORMAL_GEOMETRY_PROCESSING_CURVES_CURVE_FLOW_VISITOR_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/curves/Curve_flow_report.h>
 #include <Conformal_geometry_processing/curves/Polygon_lengths.h>
@@ -24,5 +22,3 @@ struct Curve_flow_visitor {
 };
 
 }  // namespace Conformal_geometry_processing
-
-#endif

@@ -1,16 +1,12 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_CURVES_CURVE_FRAME_H
-#define CONFORMAL_GEOMETRY_PROCESSING_CURVES_CURVE_FRAME_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/curves/Polygon_lengths.h>
 #include <Conformal_geometry_processing/mesh/Normalized_frame.h>
 
 #include <Eigen/Core>
 
-namespace Conformal_geometry_processing {
-
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgCurves
 /// \brief Normalized coordinates of curve flows: `Normalized_frame` in the plane, which makes
@@ -34,12 +30,4 @@ class Curve_frame {
   Normalized_frame m_frame;
 };
 
-}  // namespace internal
-
-}  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/curves/Curve_frame_impl.h>
-#endif
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_CURVES_ISOMETRIC_CURVE_FLOW_H
-#define CONFORMAL_GEOMETRY_PROCESSING_CURVES_ISOMETRIC_CURVE_FLOW_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/curves/Curve_flow_options.h>
 #include <Conformal_geometry_processing/curves/Curve_flow_report.h>
@@ -125,9 +123,3 @@ class Isometric_curve_flow {
 };
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/curves/Isometric_curve_flow_impl.h>
-#endif
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_CURVES_POLYGON_LENGTHS_H
-#define CONFORMAL_GEOMETRY_PROCESSING_CURVES_POLYGON_LENGTHS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Eigen/Core>
 
@@ -49,9 +47,3 @@ double length_distortion(const internal::Plane_points& points,
                          const internal::Polygon_lengths& original);
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/curves/Polygon_lengths_impl.h>
-#endif
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_CURVES_BENDING_DESCENT_H
-#define CONFORMAL_GEOMETRY_PROCESSING_CURVES_BENDING_DESCENT_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/curves/Polygon_lengths.h>
 
@@ -21,9 +19,3 @@ void bending_descent(const Eigen::VectorXd& curvatures, const internal::Plane_po
                      const internal::Polygon_lengths& lengths, Eigen::VectorXd& direction);
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/curves/bending_descent_impl.h>
-#endif
-
-#endif

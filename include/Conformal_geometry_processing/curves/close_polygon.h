@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_CURVES_CLOSE_POLYGON_H
-#define CONFORMAL_GEOMETRY_PROCESSING_CURVES_CLOSE_POLYGON_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/curves/Closing_functions.h>
 #include <Conformal_geometry_processing/curves/Polygon_lengths.h>
@@ -51,9 +49,3 @@ internal::Closing_result close_polygon(const internal::Polygon_lengths& lengths,
                                        internal::Plane_points& points);
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/curves/close_polygon_impl.h>
-#endif
-
-#endif

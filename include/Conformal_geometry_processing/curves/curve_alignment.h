@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_CURVES_CURVE_ALIGNMENT_H
-#define CONFORMAL_GEOMETRY_PROCESSING_CURVES_CURVE_ALIGNMENT_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/curves/Polygon_lengths.h>
 
@@ -22,9 +20,3 @@ double align(const internal::Plane_points& to, const Eigen::VectorXd& weights,
              internal::Plane_points& points);
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/curves/curve_alignment_impl.h>
-#endif
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_CURVES_CURVE_REQUIREMENTS_H
-#define CONFORMAL_GEOMETRY_PROCESSING_CURVES_CURVE_REQUIREMENTS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/curves/Polygon_lengths.h>
 #include <Conformal_geometry_processing/exceptions.h>
@@ -29,9 +27,3 @@ void require_polygon(const internal::Plane_points& points, bool is_closed,
                      const std::string& function);
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/curves/curve_requirements_impl.h>
-#endif
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_CURVES_TURNING_ANGLES_H
-#define CONFORMAL_GEOMETRY_PROCESSING_CURVES_TURNING_ANGLES_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/curves/Polygon_lengths.h>
 
@@ -23,9 +21,3 @@ void turning_angles(const internal::Plane_points& points, bool is_closed, Eigen:
 Eigen::VectorXd turning_angles(const internal::Plane_points& points, bool is_closed);
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/curves/turning_angles_impl.h>
-#endif
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_CURVES_TURNING_NUMBER_H
-#define CONFORMAL_GEOMETRY_PROCESSING_CURVES_TURNING_NUMBER_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Eigen/Core>
 
@@ -17,9 +15,3 @@ inline constexpr double two_pi = 6.283185307179586476925286766559;
 int turning_number(const Eigen::VectorXd& angles);
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/curves/turning_number_impl.h>
-#endif
-
-#endif

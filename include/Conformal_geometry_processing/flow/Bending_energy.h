@@ -1,16 +1,12 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_FLOW_BENDING_ENERGY_H
-#define CONFORMAL_GEOMETRY_PROCESSING_FLOW_BENDING_ENERGY_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/flow/Fairing_patch.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 
 #include <Eigen/Core>
 
-namespace Conformal_geometry_processing {
-
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgFlow
 /// \brief The Willmore energy of a patch whose rim is clamped, and its derivative.
@@ -44,12 +40,4 @@ class Bending_energy {
   double m_value = 0;
 };
 
-}  // namespace internal
-
-}  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/flow/Bending_energy_impl.h>
-#endif
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

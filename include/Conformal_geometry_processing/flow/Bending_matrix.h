@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_FLOW_BENDING_MATRIX_H
-#define CONFORMAL_GEOMETRY_PROCESSING_FLOW_BENDING_MATRIX_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
 #include <Conformal_geometry_processing/flow/Bending_energy.h>
@@ -14,9 +12,7 @@
 #include <memory>
 #include <vector>
 
-namespace Conformal_geometry_processing {
-
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgFlow
 /// \brief K = L A^-1 L / 2 on the free vertices of a patch, for the vertices that bend: the second
@@ -62,12 +58,4 @@ class Bending_matrix {
   std::vector<int> m_places;  // in the pattern, of the products of two entries of a row
 };
 
-}  // namespace internal
-
-}  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/flow/Bending_matrix_impl.h>
-#endif
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

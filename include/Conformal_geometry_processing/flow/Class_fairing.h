@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_FLOW_CLASS_FAIRING_H
-#define CONFORMAL_GEOMETRY_PROCESSING_FLOW_CLASS_FAIRING_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
 #include <Conformal_geometry_processing/flow/Bending_energy.h>
@@ -14,9 +12,7 @@
 
 #include <vector>
 
-namespace Conformal_geometry_processing {
-
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgFlow
 /// \brief Descends the Willmore energy of a patch with clamped rim within the discrete conformal
@@ -74,12 +70,4 @@ class Class_fairing {
   Eigen::VectorXd m_scales;  // u of the present surface
 };
 
-}  // namespace internal
-
-}  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/flow/Class_fairing_impl.h>
-#endif
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

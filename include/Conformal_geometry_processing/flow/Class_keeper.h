@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_FLOW_CLASS_KEEPER_H
-#define CONFORMAL_GEOMETRY_PROCESSING_FLOW_CLASS_KEEPER_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/conformal_class/Conformal_class.h>
 #include <Conformal_geometry_processing/flow/Fairing.h>
@@ -11,9 +9,7 @@
 #include <functional>
 #include <optional>
 
-namespace Conformal_geometry_processing {
-
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgFlow
 /// \brief keeps a flow on the discrete conformal class of its initial surface, and smooths surfaces
@@ -94,12 +90,4 @@ class Class_keeper {
   Smoothing m_smoothing;
 };
 
-}  // namespace internal
-
-}  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/flow/Class_keeper_impl.h>
-#endif
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

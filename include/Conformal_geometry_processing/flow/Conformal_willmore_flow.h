@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_FLOW_CONFORMAL_WILLMORE_FLOW_H
-#define CONFORMAL_GEOMETRY_PROCESSING_FLOW_CONFORMAL_WILLMORE_FLOW_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/flow/Class_keeper.h>
@@ -275,9 +273,3 @@ class Conformal_willmore_flow {
 };
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/flow/Conformal_willmore_flow_impl.h>
-#endif
-
-#endif

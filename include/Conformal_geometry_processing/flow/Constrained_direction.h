@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_FLOW_CONSTRAINED_DIRECTION_H
-#define CONFORMAL_GEOMETRY_PROCESSING_FLOW_CONSTRAINED_DIRECTION_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/flow/Curvature_direction_ref.h>
@@ -15,9 +13,7 @@
 #include <optional>
 #include <string>
 
-namespace Conformal_geometry_processing {
-
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgFlow
 /// \brief filters the direction of a flow and projects it onto the constraints [CGP 6.4.4].
@@ -73,12 +69,4 @@ class Constrained_direction {
   std::string m_function;
 };
 
-}  // namespace internal
-
-}  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/flow/Constrained_direction_impl.h>
-#endif
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

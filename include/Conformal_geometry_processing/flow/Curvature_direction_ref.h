@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_FLOW_CURVATURE_DIRECTION_REF_H
-#define CONFORMAL_GEOMETRY_PROCESSING_FLOW_CURVATURE_DIRECTION_REF_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/flow/Willmore_direction.h>
 #include <Conformal_geometry_processing/measure/energies.h>
@@ -15,9 +13,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace Conformal_geometry_processing {
-
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 template <class Direction, class Surface, class = void>
 constexpr bool has_energy_of = false;
@@ -77,7 +73,4 @@ class Curvature_direction_ref {
   std::function<double(const Mesh_view&, const Surface_ref&)> m_energy;
 };
 
-}  // namespace internal
-}  // namespace Conformal_geometry_processing
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_FLOW_CURVATURE_FILTER_H
-#define CONFORMAL_GEOMETRY_PROCESSING_FLOW_CURVATURE_FILTER_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/linear_algebra/dense/Solver_status.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Solver_ref.h>
@@ -12,9 +10,7 @@
 #include <memory>
 #include <utility>
 
-namespace Conformal_geometry_processing {
-
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgFlow
 /// \brief high-pass filter for a function on the vertices, such as the direction of a curvature
@@ -91,12 +87,4 @@ class Curvature_filter {
   Solver_ref<double> m_solver;
 };
 
-}  // namespace internal
-
-}  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/flow/Curvature_filter_impl.h>
-#endif
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_FLOW_FAIRING_H
-#define CONFORMAL_GEOMETRY_PROCESSING_FLOW_FAIRING_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Supernodal_cholesky.h>
@@ -11,9 +9,7 @@
 
 #include <vector>
 
-namespace Conformal_geometry_processing {
-
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgFlow
 /// \brief smooths surfaces within about the conformal class of an initial one: f <- f - (1 - A)^2 f
@@ -53,12 +49,4 @@ class Fairing {
   Supernodal_cholesky<double> m_solver;
 };
 
-}  // namespace internal
-
-}  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/flow/Fairing_impl.h>
-#endif
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_FLOW_FAIRING_PATCH_H
-#define CONFORMAL_GEOMETRY_PROCESSING_FLOW_FAIRING_PATCH_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/mesh/Mesh_component.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
@@ -10,9 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace Conformal_geometry_processing {
-
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgFlow
 /// \brief A region of a surface that is to be replaced, with as much of its surroundings as
@@ -80,12 +76,4 @@ struct Normal_jump {
 /// \param f positions of the vertices of the patch
 Normal_jump normal_jump(const Fairing_patch& patch, const Points& f);
 
-}  // namespace internal
-
-}  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/flow/Fairing_patch_impl.h>
-#endif
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_FLOW_FLOW_BALANCE_H
-#define CONFORMAL_GEOMETRY_PROCESSING_FLOW_FLOW_BALANCE_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/algebra/Moebius_map.h>
 #include <Conformal_geometry_processing/flow/Flow_options.h>
@@ -55,9 +53,3 @@ class Flow_balance {
 }  // namespace internal
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/flow/Flow_balance_impl.h>
-#endif
-
-#endif

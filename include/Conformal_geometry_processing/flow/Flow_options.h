@@ -1,10 +1,9 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_FLOW_FLOW_OPTIONS_H
-#define CONFORMAL_GEOMETRY_PROCESSING_FLOW_FLOW_OPTIONS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/forms/exactness_functions.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Solver_ref.h>
 #include <Conformal_geometry_processing/measure/Conformality.h>
 #include <Conformal_geometry_processing/spin/Boundary_condition.h>
 #include <Conformal_geometry_processing/spin/Dirac_solution.h>
@@ -118,9 +117,3 @@ struct Flow_options {
 const Flow_options& checked(const Flow_options& o, const std::string& function);
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/flow/Flow_options_impl.h>
-#endif
-
-#endif

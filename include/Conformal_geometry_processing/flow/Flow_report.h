@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_FLOW_FLOW_REPORT_H
-#define CONFORMAL_GEOMETRY_PROCESSING_FLOW_FLOW_REPORT_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/measure/Conformality.h>
 #include <Conformal_geometry_processing/spin/Spin_report.h>
@@ -108,9 +106,3 @@ struct [[nodiscard]] Flow_report {
 bool append(Flow_report& report, Flow_step_report step);
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/flow/Flow_report_impl.h>
-#endif
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_FLOW_FLOW_VISITOR_H
-#define CONFORMAL_GEOMETRY_PROCESSING_FLOW_FLOW_VISITOR_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/flow/Flow_report.h>
 #include <Conformal_geometry_processing/linear_algebra/krylov/Eigensolver_result.h>
@@ -29,5 +27,3 @@ struct Flow_visitor {
 };
 
 }  // namespace Conformal_geometry_processing
-
-#endif

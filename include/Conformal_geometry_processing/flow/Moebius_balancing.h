@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_FLOW_MOEBIUS_BALANCING_H
-#define CONFORMAL_GEOMETRY_PROCESSING_FLOW_MOEBIUS_BALANCING_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
@@ -10,9 +8,7 @@
 
 #include <string>
 
-namespace Conformal_geometry_processing {
-
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgFlow
 /// \brief finds the sphere inversion of a surface that brings the areas of its vertices nearest to
@@ -75,12 +71,4 @@ class Moebius_balancing {
   std::string m_function;
 };
 
-}  // namespace internal
-
-}  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/flow/Moebius_balancing_impl.h>
-#endif
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

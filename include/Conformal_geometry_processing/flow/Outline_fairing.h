@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_FLOW_OUTLINE_FAIRING_H
-#define CONFORMAL_GEOMETRY_PROCESSING_FLOW_OUTLINE_FAIRING_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
 #include <Conformal_geometry_processing/flow/Bending_energy.h>
@@ -13,9 +11,7 @@
 
 #include <Eigen/Core>
 
-namespace Conformal_geometry_processing {
-
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgFlow
 /// \brief Descends the Willmore energy of a patch with clamped rim among all surfaces of its
@@ -65,12 +61,4 @@ class Outline_fairing {
   double m_share = 1;  // of the relaxation, in the last step
 };
 
-}  // namespace internal
-
-}  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/flow/Outline_fairing_impl.h>
-#endif
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

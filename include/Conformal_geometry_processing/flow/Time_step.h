@@ -1,11 +1,7 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_FLOW_TIME_STEP_H
-#define CONFORMAL_GEOMETRY_PROCESSING_FLOW_TIME_STEP_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
-namespace Conformal_geometry_processing {
-
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgFlow
 /// \brief the time step of a flow with backtracking: shrinks after failures and grows again.
@@ -33,12 +29,4 @@ class Time_step {
   bool m_has_grown = false;               // by the last success
 };
 
-}  // namespace internal
-
-}  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/flow/Time_step_impl.h>
-#endif
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_FLOW_WILLMORE_DIRECTION_H
-#define CONFORMAL_GEOMETRY_PROCESSING_FLOW_WILLMORE_DIRECTION_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/measure/energies.h>
 #include <Conformal_geometry_processing/mesh/Surface_ref.h>
@@ -26,5 +24,3 @@ struct Willmore_direction {
 };
 
 }  // namespace Conformal_geometry_processing
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_FLOW_CANONICAL_AREA_DENSITY_H
-#define CONFORMAL_GEOMETRY_PROCESSING_FLOW_CANONICAL_AREA_DENSITY_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/mesh/Surface_ref.h>
@@ -37,9 +35,3 @@ Eigen::VectorXd canonical_area_density(const Surface_ref& surface, const Eigen::
 Eigen::VectorXd canonical_vertex_areas(const Surface_ref& surface, const Eigen::VectorXd& density);
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/flow/canonical_area_density_impl.h>
-#endif
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_FLOW_FAIR_REGION_H
-#define CONFORMAL_GEOMETRY_PROCESSING_FLOW_FAIR_REGION_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/flow/Fairing_patch.h>
 #include <Conformal_geometry_processing/measure/Conformality.h>
@@ -11,9 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace Conformal_geometry_processing {
-
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgFlow
 /// Options of `conformal_fairing()`
@@ -59,12 +55,4 @@ Fairing_result fair_region(const Mesh_view& mesh, const std::vector<char>& is_in
                            const Fairing_options& options, const std::string& function,
                            const std::function<bool()>& go_further);
 
-}  // namespace internal
-
-}  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/flow/fair_region_impl.h>
-#endif
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_FLOW_FILTERED_ON_SURFACE_H
-#define CONFORMAL_GEOMETRY_PROCESSING_FLOW_FILTERED_ON_SURFACE_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/flow/Curvature_filter.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Solver_ref.h>
@@ -47,5 +45,3 @@ inline Eigen::VectorXd filtered_on_surface(const Mesh_view& mesh, const Eigen::V
 }
 
 }  // namespace Conformal_geometry_processing
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_FLOW_STEP_FAULT_H
-#define CONFORMAL_GEOMETRY_PROCESSING_FLOW_STEP_FAULT_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/flow/Flow_options.h>
 #include <Conformal_geometry_processing/spin/Spin_report.h>
@@ -21,9 +19,3 @@ std::string step_fault(const Spin_report& report, bool is_turning, bool is_exact
                        const Flow_options& options);
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/flow/step_fault_impl.h>
-#endif
-
-#endif

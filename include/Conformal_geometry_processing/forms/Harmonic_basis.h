@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_FORMS_HARMONIC_BASIS_H
-#define CONFORMAL_GEOMETRY_PROCESSING_FORMS_HARMONIC_BASIS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/linear_algebra/direct/Grounded_solver.h>
 #include <Conformal_geometry_processing/mesh/Surface_ref.h>
@@ -48,9 +46,3 @@ void orthonormalize_forms(const Surface_ref& surface, Eigen::MatrixXd& forms);
 
 }  // namespace internal
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/forms/Harmonic_basis_impl.h>
-#endif
-
-#endif

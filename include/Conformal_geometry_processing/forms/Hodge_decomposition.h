@@ -1,10 +1,9 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_FORMS_HODGE_DECOMPOSITION_H
-#define CONFORMAL_GEOMETRY_PROCESSING_FORMS_HODGE_DECOMPOSITION_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/forms/Harmonic_basis.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Grounded_solver.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Solver_ref.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 
 #include <Eigen/Core>
@@ -99,9 +98,3 @@ class Hodge_decomposition {
 };
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/forms/Hodge_decomposition_impl.h>
-#endif
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_FORMS_CONFORMAL_MODULUS_H
-#define CONFORMAL_GEOMETRY_PROCESSING_FORMS_CONFORMAL_MODULUS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/forms/Harmonic_basis.h>
 #include <Conformal_geometry_processing/forms/tangent_field.h>
@@ -51,9 +49,3 @@ std::complex<double> reduced_modulus(std::complex<double> tau);
 std::complex<double> conformal_modulus(const Mesh_view& mesh, const Harmonic_basis& basis);
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/forms/conformal_modulus_impl.h>
-#endif
-
-#endif

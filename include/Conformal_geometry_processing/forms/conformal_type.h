@@ -1,15 +1,11 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_FORMS_CONFORMAL_TYPE_H
-#define CONFORMAL_GEOMETRY_PROCESSING_FORMS_CONFORMAL_TYPE_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 
 #include <Eigen/Core>
 
-namespace Conformal_geometry_processing {
-
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgForms
 /// \brief The inner products <h_i, h_j> of the harmonic forms of the cohomology classes of
@@ -29,12 +25,4 @@ Eigen::MatrixXd harmonic_energies(const Mesh_view& mesh);
 /// |log(b / c)|. Infinite if a matrix is not positive definite.
 double conformal_type_distance(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B);
 
-}  // namespace internal
-
-}  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/forms/conformal_type_impl.h>
-#endif
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_FORMS_EXACTNESS_FUNCTIONS_H
-#define CONFORMAL_GEOMETRY_PROCESSING_FORMS_EXACTNESS_FUNCTIONS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
 #include <Conformal_geometry_processing/forms/Harmonic_basis.h>
@@ -55,9 +53,3 @@ Eigen::MatrixXd exactness_functions(
     Exactness version = Exactness::adjoint);
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/forms/exactness_functions_impl.h>
-#endif
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_FORMS_LOOPS_OF_FACES_H
-#define CONFORMAL_GEOMETRY_PROCESSING_FORMS_LOOPS_OF_FACES_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 
@@ -35,9 +33,3 @@ Eigen::MatrixXi crossings_modulo_2(const Mesh_view& mesh,
                                    const std::vector<internal::Face_loop>& loops);
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/forms/loops_of_faces_impl.h>
-#endif
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_FORMS_RANDOM_CLOSED_FORMS_H
-#define CONFORMAL_GEOMETRY_PROCESSING_FORMS_RANDOM_CLOSED_FORMS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
@@ -29,9 +27,3 @@ Eigen::MatrixXd random_closed_forms(const Mesh_view& mesh, unsigned seed,
                                     const std::string& function = "random_closed_forms");
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/forms/random_closed_forms_impl.h>
-#endif
-
-#endif

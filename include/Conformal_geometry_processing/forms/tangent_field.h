@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_FORMS_TANGENT_FIELD_H
-#define CONFORMAL_GEOMETRY_PROCESSING_FORMS_TANGENT_FIELD_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 #include <Conformal_geometry_processing/mesh/Surface_ref.h>
@@ -71,5 +69,3 @@ Points tangent_field(const Surface_ref& surface, const Eigen::MatrixBase<Derived
 }
 
 }  // namespace Conformal_geometry_processing
-
-#endif

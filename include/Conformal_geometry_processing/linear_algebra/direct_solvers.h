@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_SOLVERS_H
-#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_SOLVERS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 /// \file linear_algebra/direct_solvers.h
 /// \brief Sparse Cholesky factorizations of real, complex and quaternionic matrices, and solvers
@@ -12,5 +10,3 @@
 #include <Conformal_geometry_processing/linear_algebra/direct/Grounded_solver.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Ordering.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Supernodal_cholesky.h>
-
-#endif

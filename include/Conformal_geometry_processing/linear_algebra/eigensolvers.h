@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_EIGENSOLVERS_H
-#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_EIGENSOLVERS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 /// \file linear_algebra/eigensolvers.h
 /// \brief Eigensolvers for quaternionic Hermitian matrices: smallest eigenpairs, and those nearest
@@ -11,5 +9,3 @@
 #include <Conformal_geometry_processing/linear_algebra/krylov/inverse_power_method.h>
 #include <Conformal_geometry_processing/linear_algebra/krylov/krylov_schur.h>
 #include <Conformal_geometry_processing/linear_algebra/krylov/subspace_iteration.h>
-
-#endif

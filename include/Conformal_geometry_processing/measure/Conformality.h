@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_MEASURE_CONFORMALITY_H
-#define CONFORMAL_GEOMETRY_PROCESSING_MEASURE_CONFORMALITY_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/measure/Distribution.h>
 #include <Conformal_geometry_processing/measure/distortion.h>
@@ -45,9 +43,3 @@ Conformality conformality(const Mesh_view& mesh, const Points& positions,
                           const Points& expected_normals);
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/measure/Conformality_impl.h>
-#endif
-
-#endif

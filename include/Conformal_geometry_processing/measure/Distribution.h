@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_MEASURE_DISTRIBUTION_H
-#define CONFORMAL_GEOMETRY_PROCESSING_MEASURE_DISTRIBUTION_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Eigen/Core>
 
@@ -30,9 +28,3 @@ Eigen::VectorXd histogram(const Eigen::VectorXd& values, const Eigen::VectorXd& 
                           double low, double high);
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/measure/Distribution_impl.h>
-#endif
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_MEASURE_ALIGNMENT_H
-#define CONFORMAL_GEOMETRY_PROCESSING_MEASURE_ALIGNMENT_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 
@@ -32,9 +30,3 @@ internal::Alignment align(const Points& source, const Points& target,
                           const Eigen::VectorXd& masses = {});
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/measure/alignment_impl.h>
-#endif
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_MEASURE_DISTORTION_H
-#define CONFORMAL_GEOMETRY_PROCESSING_MEASURE_DISTORTION_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/measure/Distribution.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
@@ -118,9 +116,3 @@ Points neighbourhood_normals(const Mesh_view& before, const Points& positions);
 int flipped_faces(const Mesh_view& mesh, const Points& positions, const Points& expected);
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/measure/distortion_impl.h>
-#endif
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_MEASURE_ENERGIES_H
-#define CONFORMAL_GEOMETRY_PROCESSING_MEASURE_ENERGIES_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 #include <Conformal_geometry_processing/mesh/Surface_ref.h>
@@ -37,9 +35,3 @@ double willmore_energy(const Surface_ref& surface);
 double steiner_willmore_energy(const Mesh_view& mesh);
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/measure/energies_impl.h>
-#endif
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_MESH_BOUNDARY_FRAMES_H
-#define CONFORMAL_GEOMETRY_PROCESSING_MESH_BOUNDARY_FRAMES_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/mesh/Surface_ref.h>
 
@@ -62,9 +60,3 @@ internal::Boundary_frames frames_along(const Surface_ref& surface,
 internal::Boundary_frames boundary_frames(const Surface_ref& surface);
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/mesh/Boundary_frames_impl.h>
-#endif
-
-#endif

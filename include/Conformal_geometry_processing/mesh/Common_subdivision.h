@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_MESH_COMMON_SUBDIVISION_H
-#define CONFORMAL_GEOMETRY_PROCESSING_MESH_COMMON_SUBDIVISION_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/mesh/Intrinsic_triangulation.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
@@ -11,9 +9,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace Conformal_geometry_processing {
-
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgMesh
 /// \brief Partition of the faces of a mesh by its intrinsic triangulation, and the embedding of the
@@ -78,12 +74,4 @@ class Common_subdivision {
   std::size_t m_size = 0;
 };
 
-}  // namespace internal
-
-}  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/mesh/Common_subdivision_impl.h>
-#endif
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

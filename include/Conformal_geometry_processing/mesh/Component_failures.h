@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_MESH_COMPONENT_FAILURES_H
-#define CONFORMAL_GEOMETRY_PROCESSING_MESH_COMPONENT_FAILURES_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/mesh/Failure_reasons.h>
@@ -9,9 +7,7 @@
 #include <cstddef>
 #include <string>
 
-namespace Conformal_geometry_processing {
-
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgMesh
 /// \brief Collects the failures of the components of a mesh. All components are tried, so that all
@@ -55,12 +51,4 @@ class Component_failures {
   bool m_is_of_data = false;
 };
 
-}  // namespace internal
-
-}  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/mesh/Component_failures_impl.h>
-#endif
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_MESH_DELAUNAY_VIEW_H
-#define CONFORMAL_GEOMETRY_PROCESSING_MESH_DELAUNAY_VIEW_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/mesh/Common_subdivision.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
@@ -115,9 +113,3 @@ inline const std::vector<std::vector<int>>& boundary_loops(const Delaunay_view& 
 }
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/mesh/Delaunay_view_impl.h>
-#endif
-
-#endif

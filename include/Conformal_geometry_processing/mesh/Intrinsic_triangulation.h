@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_MESH_INTRINSIC_TRIANGULATION_H
-#define CONFORMAL_GEOMETRY_PROCESSING_MESH_INTRINSIC_TRIANGULATION_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 
@@ -10,9 +8,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace Conformal_geometry_processing {
-
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgMesh
 /// \brief A triangulation given by edge lengths only, with intrinsic edge flips [Fisher et al.
@@ -72,12 +68,4 @@ class Intrinsic_triangulation {
   std::vector<double> m_lengths;        // 3 |F|, the same for both halfedges of an edge
 };
 
-}  // namespace internal
-
-}  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/mesh/Intrinsic_triangulation_impl.h>
-#endif
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_MESH_MESH_COMPONENT_H
-#define CONFORMAL_GEOMETRY_PROCESSING_MESH_MESH_COMPONENT_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 
@@ -39,9 +37,3 @@ Mesh_component selected_faces(const Mesh_view& mesh, const std::vector<char>& is
 }  // namespace internal
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/mesh/Mesh_component_impl.h>
-#endif
-
-#endif

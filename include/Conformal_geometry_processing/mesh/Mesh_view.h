@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_MESH_MESH_VIEW_H
-#define CONFORMAL_GEOMETRY_PROCESSING_MESH_MESH_VIEW_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/config.h>
 #include <Conformal_geometry_processing/mesh/Sheet.h>
@@ -117,9 +115,3 @@ class Mesh_view {
 };
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/mesh/Mesh_view_impl.h>
-#endif
-
-#endif

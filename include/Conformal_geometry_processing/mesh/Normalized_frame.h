@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_MESH_NORMALIZED_FRAME_H
-#define CONFORMAL_GEOMETRY_PROCESSING_MESH_NORMALIZED_FRAME_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 
@@ -9,9 +7,7 @@
 
 #include <cmath>
 
-namespace Conformal_geometry_processing {
-
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgMesh
 /// \brief Normalized coordinates for all numerical computations: the centre of the bounding box is
@@ -42,12 +38,4 @@ class Normalized_frame {
   int m_exponent;
 };
 
-}  // namespace internal
-
-}  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/mesh/Normalized_frame_impl.h>
-#endif
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

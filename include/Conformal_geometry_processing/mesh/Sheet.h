@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_MESH_SHEET_H
-#define CONFORMAL_GEOMETRY_PROCESSING_MESH_SHEET_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Eigen/Core>
 
@@ -28,5 +26,3 @@ struct Sheet {
 };
 
 }  // namespace Conformal_geometry_processing
-
-#endif

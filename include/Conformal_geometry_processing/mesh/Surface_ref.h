@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_MESH_SURFACE_REF_H
-#define CONFORMAL_GEOMETRY_PROCESSING_MESH_SURFACE_REF_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 #include <Conformal_geometry_processing/mesh/Sheet.h>
@@ -97,5 +95,3 @@ inline std::vector<char> boundary_vertices(const Surface_ref& surface)
 }
 
 }  // namespace Conformal_geometry_processing
-
-#endif

@@ -1,16 +1,12 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_MESH_TRANSPORTED_FORMS_H
-#define CONFORMAL_GEOMETRY_PROCESSING_MESH_TRANSPORTED_FORMS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/mesh/Intrinsic_triangulation.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 
 #include <Eigen/Core>
 
-namespace Conformal_geometry_processing {
-
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgMesh
 /// \brief Closed 1-forms on an intrinsic triangulation, updated by its flips: integrals along paths
@@ -37,12 +33,4 @@ class Transported_forms {
   Rows m_sides;   // of the two triangles that a flip changes
 };
 
-}  // namespace internal
-
-}  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/mesh/Transported_forms_impl.h>
-#endif
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_MESH_BOUNDARY_CAPS_H
-#define CONFORMAL_GEOMETRY_PROCESSING_MESH_BOUNDARY_CAPS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/mesh/Intrinsic_triangulation.h>
 
@@ -21,9 +19,3 @@ namespace Conformal_geometry_processing {
 std::vector<int> boundary_caps(const internal::Intrinsic_triangulation& triangles);
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/mesh/boundary_caps_impl.h>
-#endif
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_MESH_CLOSED_CURVES_H
-#define CONFORMAL_GEOMETRY_PROCESSING_MESH_CLOSED_CURVES_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>
@@ -10,8 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace Conformal_geometry_processing {
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgMesh
 /// \brief the closed curves of edges that marked vertices form, each with its vertices in order.
@@ -24,11 +21,4 @@ std::vector<std::vector<int>> closed_curves(
     const Mesh_view& mesh, const std::vector<char>& is_marked, const std::string& function,
     const std::function<std::string(int)>& name = name_of_vertex);
 
-}  // namespace internal
-}  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/mesh/closed_curves_impl.h>
-#endif
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

@@ -1,13 +1,9 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_MESH_IN_OWN_FRAME_H
-#define CONFORMAL_GEOMETRY_PROCESSING_MESH_IN_OWN_FRAME_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 
-namespace Conformal_geometry_processing {
-
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgMesh
 /// \brief Returns the mesh in its `Normalized_frame`: of moderate size, where products of areas and
@@ -15,12 +11,4 @@ namespace internal {
 /// \pre the mesh has vertices, with finite coordinates
 Mesh_view in_own_frame(Mesh_view mesh);
 
-}  // namespace internal
-
-}  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/mesh/in_own_frame_impl.h>
-#endif
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_MESH_INTRINSIC_DELAUNAY_H
-#define CONFORMAL_GEOMETRY_PROCESSING_MESH_INTRINSIC_DELAUNAY_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/mesh/Intrinsic_triangulation.h>
 
@@ -59,9 +57,3 @@ int flip_to_delaunay(internal::Intrinsic_triangulation& triangles, BeforeFlip be
 int flip_to_delaunay(internal::Intrinsic_triangulation& triangles);
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/mesh/intrinsic_delaunay_impl.h>
-#endif
-
-#endif

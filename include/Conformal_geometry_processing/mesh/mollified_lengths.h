@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_MESH_MOLLIFIED_LENGTHS_H
-#define CONFORMAL_GEOMETRY_PROCESSING_MESH_MOLLIFIED_LENGTHS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 
@@ -37,9 +35,3 @@ struct Mollified_lengths {
 internal::Mollified_lengths mollified_lengths(const Mesh_view& mesh, double share);
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/mesh/mollified_lengths_impl.h>
-#endif
-
-#endif

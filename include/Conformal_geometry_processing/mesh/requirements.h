@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_MESH_REQUIREMENTS_H
-#define CONFORMAL_GEOMETRY_PROCESSING_MESH_REQUIREMENTS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
@@ -152,9 +150,3 @@ void require_manifold(const Mesh_view& mesh, const std::string& function);
 void require_surface(const Mesh_view& mesh, const std::string& function);
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/mesh/requirements_impl.h>
-#endif
-
-#endif

@@ -1,13 +1,9 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_MESH_SIMPLE_DELAUNAY_H
-#define CONFORMAL_GEOMETRY_PROCESSING_MESH_SIMPLE_DELAUNAY_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 
-namespace Conformal_geometry_processing {
-
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgMesh
 /// \brief The mesh with the connectivity of its intrinsic Delaunay triangulation, as a mesh whose
@@ -21,12 +17,4 @@ namespace internal {
 /// none, and no edge has length zero
 Mesh_view simple_delaunay(const Mesh_view& mesh, double mollification = 0);
 
-}  // namespace internal
-
-}  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/mesh/simple_delaunay_impl.h>
-#endif
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

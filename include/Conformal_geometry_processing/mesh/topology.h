@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_MESH_TOPOLOGY_H
-#define CONFORMAL_GEOMETRY_PROCESSING_MESH_TOPOLOGY_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 
@@ -49,9 +47,3 @@ internal::Topology topology(const Mesh_view& mesh);
 std::vector<std::vector<int>> boundary_loops(const Mesh_view& mesh);
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/mesh/topology_impl.h>
-#endif
-
-#endif

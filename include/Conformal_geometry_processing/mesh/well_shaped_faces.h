@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_MESH_WELL_SHAPED_FACES_H
-#define CONFORMAL_GEOMETRY_PROCESSING_MESH_WELL_SHAPED_FACES_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 
@@ -35,9 +33,3 @@ struct Face_height {
 internal::Well_shaped_faces well_shaped_faces(const Mesh_view& mesh);
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/mesh/well_shaped_faces_impl.h>
-#endif
-
-#endif

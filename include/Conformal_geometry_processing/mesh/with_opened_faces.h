@@ -1,13 +1,9 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_MESH_WITH_OPENED_FACES_H
-#define CONFORMAL_GEOMETRY_PROCESSING_MESH_WITH_OPENED_FACES_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 
-namespace Conformal_geometry_processing {
-
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgMesh
 /// \brief The mesh with vertices moved until all faces have an area, for algorithms on chords.
@@ -21,12 +17,4 @@ namespace internal {
 /// \param share positive
 Mesh_view with_opened_faces(const Mesh_view& mesh, double share);
 
-}  // namespace internal
-
-}  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/mesh/with_opened_faces_impl.h>
-#endif
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

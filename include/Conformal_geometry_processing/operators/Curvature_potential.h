@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_OPERATORS_CURVATURE_POTENTIAL_H
-#define CONFORMAL_GEOMETRY_PROCESSING_OPERATORS_CURVATURE_POTENTIAL_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/algebra/Quaternionic_sparse_matrix.h>
 #include <Conformal_geometry_processing/exceptions.h>
@@ -69,9 +67,3 @@ void require_potential(const Mesh_view& mesh, const Curvature_potential& rho, do
                        const std::string& function);
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/operators/Curvature_potential_impl.h>
-#endif
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_OPERATORS_COTAN_LAPLACIAN_H
-#define CONFORMAL_GEOMETRY_PROCESSING_OPERATORS_COTAN_LAPLACIAN_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
@@ -78,9 +76,3 @@ Hermitian_sparse_matrix<double> cotan_laplacian(const Surface_ref& surface,
 Hermitian_sparse_matrix<double> cotan_laplacian(const Surface_ref& surface);
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/operators/cotan_laplacian_impl.h>
-#endif
-
-#endif

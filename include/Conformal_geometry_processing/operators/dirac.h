@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_OPERATORS_DIRAC_H
-#define CONFORMAL_GEOMETRY_PROCESSING_OPERATORS_DIRAC_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/algebra/Quaternionic_sparse_matrix.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
@@ -19,9 +17,3 @@ namespace Conformal_geometry_processing {
 internal::Quaternionic_sparse_matrix<double> dirac(const Mesh_view& mesh);
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/operators/dirac_impl.h>
-#endif
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_OPERATORS_DIRAC_ENERGY_H
-#define CONFORMAL_GEOMETRY_PROCESSING_OPERATORS_DIRAC_ENERGY_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
 #include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
@@ -98,9 +96,3 @@ double dirac_misfit(const Surface_ref& surface, const Curvature_potential& rho,
                     const Quaternion_vector<double>& lambda);
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/operators/dirac_energy_impl.h>
-#endif
-
-#endif

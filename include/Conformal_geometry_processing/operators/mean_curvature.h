@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_OPERATORS_MEAN_CURVATURE_H
-#define CONFORMAL_GEOMETRY_PROCESSING_OPERATORS_MEAN_CURVATURE_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/mesh/Surface_ref.h>
 
@@ -37,9 +35,3 @@ Eigen::VectorXd mean_curvature(const Surface_ref& surface);
 Eigen::VectorXd mean_curvature_half_density(const Surface_ref& surface);
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/operators/mean_curvature_impl.h>
-#endif
-
-#endif

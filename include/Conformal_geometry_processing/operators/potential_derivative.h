@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_OPERATORS_POTENTIAL_DERIVATIVE_H
-#define CONFORMAL_GEOMETRY_PROCESSING_OPERATORS_POTENTIAL_DERIVATIVE_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
 #include <Conformal_geometry_processing/mesh/Surface_ref.h>
@@ -9,9 +7,7 @@
 
 #include <Eigen/Core>
 
-namespace Conformal_geometry_processing {
-
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgOperators
 /// \brief minus the derivative of X lambda for changes d of rho: (E^H M A + A^H M E) lambda with
@@ -35,12 +31,4 @@ Eigen::MatrixXd energy_gradient(const Surface_ref& surface, const Curvature_pote
 Eigen::VectorXd form_gradient(const Surface_ref& surface, Curvature_potential::On on,
                               const Quaternion_vector<double>& lambda);
 
-}  // namespace internal
-
-}  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/operators/potential_derivative_impl.h>
-#endif
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

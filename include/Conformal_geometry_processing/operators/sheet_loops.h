@@ -1,16 +1,12 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_OPERATORS_SHEET_LOOPS_H
-#define CONFORMAL_GEOMETRY_PROCESSING_OPERATORS_SHEET_LOOPS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/mesh/Surface_ref.h>
 #include <Conformal_geometry_processing/threads/parallel_loops.h>
 
 #include <cstddef>
 
-namespace Conformal_geometry_processing {
-
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgOperators
 /// first <= i < last
@@ -77,8 +73,4 @@ Sum sum_over_sheets(const Surface_ref& surface, const Sum& zero, const Add& add)
   return sum_of_ranges(surface.size_of_sheets(), at_once, zero, add_range);
 }
 
-}  // namespace internal
-
-}  // namespace Conformal_geometry_processing
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

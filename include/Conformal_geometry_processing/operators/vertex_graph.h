@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_OPERATORS_VERTEX_GRAPH_H
-#define CONFORMAL_GEOMETRY_PROCESSING_OPERATORS_VERTEX_GRAPH_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
 #include <Conformal_geometry_processing/mesh/Surface_ref.h>
@@ -75,9 +73,3 @@ void assemble_sheets(const Surface_ref& surface, Hermitian_sparse_matrix<Scalar>
 
 }  // namespace internal
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/operators/vertex_graph_impl.h>
-#endif
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_PAINTING_CURVATURE_BAND_H
-#define CONFORMAL_GEOMETRY_PROCESSING_PAINTING_CURVATURE_BAND_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Eigen/Core>
 
@@ -30,5 +28,3 @@ Values band_of(const Values& values, const Values& high, Curvature_band band, do
 }
 
 }  // namespace Conformal_geometry_processing
-
-#endif

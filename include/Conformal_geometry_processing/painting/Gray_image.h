@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_PAINTING_GRAY_IMAGE_H
-#define CONFORMAL_GEOMETRY_PROCESSING_PAINTING_GRAY_IMAGE_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Eigen/Core>
 
@@ -42,9 +40,3 @@ class Gray_image {
 };
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/painting/Gray_image_impl.h>
-#endif
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_PAINTING_IMAGE_FILTERS_H
-#define CONFORMAL_GEOMETRY_PROCESSING_PAINTING_IMAGE_FILTERS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/painting/Curvature_band.h>
 #include <Conformal_geometry_processing/painting/Gray_image.h>
@@ -24,9 +22,3 @@ Gray_image blurred(const Gray_image& image, double radius);
 Gray_image filtered(const Gray_image& image, Curvature_band band, double radius, double amount = 1);
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/painting/image_filters_impl.h>
-#endif
-
-#endif

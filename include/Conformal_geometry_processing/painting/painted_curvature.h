@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_PAINTING_PAINTED_CURVATURE_H
-#define CONFORMAL_GEOMETRY_PROCESSING_PAINTING_PAINTED_CURVATURE_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 #include <Conformal_geometry_processing/operators/Curvature_potential.h>
@@ -35,9 +33,3 @@ Curvature_potential painted_curvature(const Gray_image& image, const Eigen::Matr
                                       double amplitude = 1);
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/painting/painted_curvature_impl.h>
-#endif
-
-#endif

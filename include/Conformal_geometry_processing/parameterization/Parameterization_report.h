@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_PARAMETERIZATION_PARAMETERIZATION_REPORT_H
-#define CONFORMAL_GEOMETRY_PROCESSING_PARAMETERIZATION_PARAMETERIZATION_REPORT_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/measure/Conformality.h>
 
@@ -42,9 +40,3 @@ struct [[nodiscard]] Parameterization_report {
 std::ostream& operator<<(std::ostream& out, const Parameterization_report& r);
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/parameterization/Parameterization_report_impl.h>
-#endif
-
-#endif

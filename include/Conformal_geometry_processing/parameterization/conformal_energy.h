@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_PARAMETERIZATION_CONFORMAL_ENERGY_H
-#define CONFORMAL_GEOMETRY_PROCESSING_PARAMETERIZATION_CONFORMAL_ENERGY_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
@@ -30,9 +28,3 @@ Hermitian_sparse_matrix<std::complex<double>> conformal_energy(
 Hermitian_sparse_matrix<std::complex<double>> conformal_energy(const Mesh_view& mesh);
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/parameterization/conformal_energy_impl.h>
-#endif
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_PARAMETERIZATION_NORMALIZED_BOUNDARY_H
-#define CONFORMAL_GEOMETRY_PROCESSING_PARAMETERIZATION_NORMALIZED_BOUNDARY_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 
@@ -43,9 +41,3 @@ Eigen::MatrixXcd circle_maps(const Mesh_view& mesh, const std::vector<internal::
                              int count);
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/parameterization/normalized_boundary_impl.h>
-#endif
-
-#endif

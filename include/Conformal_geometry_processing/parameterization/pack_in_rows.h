@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_PARAMETERIZATION_PACK_IN_ROWS_H
-#define CONFORMAL_GEOMETRY_PROCESSING_PARAMETERIZATION_PACK_IN_ROWS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Eigen/Core>
 
@@ -20,9 +18,3 @@ namespace Conformal_geometry_processing {
 Eigen::Matrix2Xd pack_in_rows(const Eigen::Matrix2Xd& sizes, double gap);
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/parameterization/pack_in_rows_impl.h>
-#endif
-
-#endif

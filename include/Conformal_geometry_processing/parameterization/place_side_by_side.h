@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_PARAMETERIZATION_PLACE_SIDE_BY_SIDE_H
-#define CONFORMAL_GEOMETRY_PROCESSING_PARAMETERIZATION_PLACE_SIDE_BY_SIDE_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Eigen/Core>
 
@@ -18,9 +16,3 @@ namespace Conformal_geometry_processing {
 void place_side_by_side(const std::vector<int>& component, Eigen::VectorXcd& z);
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/parameterization/place_side_by_side_impl.h>
-#endif
-
-#endif

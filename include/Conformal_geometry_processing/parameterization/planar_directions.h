@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_PARAMETERIZATION_PLANAR_DIRECTIONS_H
-#define CONFORMAL_GEOMETRY_PROCESSING_PARAMETERIZATION_PLANAR_DIRECTIONS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
@@ -38,9 +36,3 @@ Eigen::VectorXd turning_angles(const Mesh_view& mesh, const internal::Vertex_loo
 Points planar_directions(const Mesh_view& mesh, const std::string& function = "planar_directions");
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/parameterization/planar_directions_impl.h>
-#endif
-
-#endif

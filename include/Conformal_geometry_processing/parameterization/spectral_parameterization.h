@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_PARAMETERIZATION_SPECTRAL_PARAMETERIZATION_H
-#define CONFORMAL_GEOMETRY_PROCESSING_PARAMETERIZATION_SPECTRAL_PARAMETERIZATION_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Solver_ref.h>
@@ -100,9 +98,3 @@ internal::Parameterization_result spectral_parameterization(
     const std::string& function = "spectral_parameterization");
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/parameterization/spectral_parameterization_impl.h>
-#endif
-
-#endif

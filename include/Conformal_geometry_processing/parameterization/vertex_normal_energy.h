@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_PARAMETERIZATION_VERTEX_NORMAL_ENERGY_H
-#define CONFORMAL_GEOMETRY_PROCESSING_PARAMETERIZATION_VERTEX_NORMAL_ENERGY_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
@@ -26,9 +24,3 @@ Hermitian_sparse_matrix<double> vertex_normal_energy(const Mesh_view& mesh, cons
                                                      const Sparse_pattern& graph);
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/parameterization/vertex_normal_energy_impl.h>
-#endif
-
-#endif

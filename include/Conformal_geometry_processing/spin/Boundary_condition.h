@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_BOUNDARY_CONDITION_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_BOUNDARY_CONDITION_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/mesh/Boundary_frames.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
@@ -79,9 +77,3 @@ void require_condition(const Surface_ref& surface, const Boundary_condition& con
                        const std::string& function);
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/spin/Boundary_condition_impl.h>
-#endif
-
-#endif

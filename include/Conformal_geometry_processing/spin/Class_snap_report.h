@@ -1,13 +1,9 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_CLASS_SNAP_REPORT_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_CLASS_SNAP_REPORT_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/measure/distortion.h>
 
-namespace Conformal_geometry_processing {
-
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgConformalClass
 /// \brief The numbers that verify `snap_to_conformal_class()`.
@@ -22,8 +18,4 @@ struct [[nodiscard]] Class_snap_report {
   explicit operator bool() const { return converged; }
 };
 
-}  // namespace internal
-
-}  // namespace Conformal_geometry_processing
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_CONFORMAL_DEFORMATION_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_CONFORMAL_DEFORMATION_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/linear_algebra/krylov/Visit_guard.h>
 #include <Conformal_geometry_processing/spin/Conformal_deformation_options.h>
@@ -15,9 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace Conformal_geometry_processing {
-
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgSpin
 /// \brief deforms a surface conformally so that control points on it move to given positions: finds
@@ -95,12 +91,4 @@ class Conformal_deformation {
   Curvature_potential m_rho;
 };
 
-}  // namespace internal
-
-}  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/spin/Conformal_deformation_impl.h>
-#endif
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_CONFORMAL_DEFORMATION_OPTIONS_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_CONFORMAL_DEFORMATION_OPTIONS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/spin/Spin_transformation_options.h>
 
@@ -9,9 +7,7 @@
 
 #include <limits>
 
-namespace Conformal_geometry_processing {
-
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgSpin
 /// options of `Conformal_deformation`
@@ -26,8 +22,4 @@ struct Conformal_deformation_options {
   double min_step = 1. / 32;  ///< the smallest step towards the targets, as a share of the way
 };
 
-}  // namespace internal
-
-}  // namespace Conformal_geometry_processing
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

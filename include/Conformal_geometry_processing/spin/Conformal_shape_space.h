@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_CONFORMAL_SHAPE_SPACE_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_CONFORMAL_SHAPE_SPACE_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Solver_ref.h>
@@ -12,9 +10,7 @@
 
 #include <string>
 
-namespace Conformal_geometry_processing {
-
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgSpin
 /// \brief the space of conformal shapes near a surface: the hypersurface of the half-densities rho
@@ -60,12 +56,4 @@ class Conformal_shape_space {
   Dirac_system m_system;
 };
 
-}  // namespace internal
-
-}  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/spin/Conformal_shape_space_impl.h>
-#endif
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

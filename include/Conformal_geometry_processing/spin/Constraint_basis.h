@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_CONSTRAINT_BASIS_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_CONSTRAINT_BASIS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/algebra/Quaternion.h>
 #include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
@@ -11,9 +9,7 @@
 
 #include <cmath>
 
-namespace Conformal_geometry_processing {
-
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgSpin
 /// \brief an orthonormal basis of the functions on the vertices that a direction must be orthogonal
@@ -45,12 +41,4 @@ class Constraint_basis {
   Eigen::MatrixXd m_basis;  // |V| x rank
 };
 
-}  // namespace internal
-
-}  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/spin/Constraint_basis_impl.h>
-#endif
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_CONTROL_POINT_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_CONTROL_POINT_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 
@@ -11,9 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace Conformal_geometry_processing {
-
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgSpin
 /// \brief a point that moves with a surface, an affine combination of its vertices, and the
@@ -52,12 +48,4 @@ Points targets_of(const std::vector<Control_point>& points);
 void require_control_points(const std::vector<Control_point>& points, int size_of_vertices,
                             const std::string& function);
 
-}  // namespace internal
-
-}  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/spin/Control_point_impl.h>
-#endif
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_CONTROL_POINT_SEARCH_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_CONTROL_POINT_SEARCH_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/spin/Conformal_deformation_options.h>
 #include <Conformal_geometry_processing/spin/Period_residual.h>
@@ -15,9 +13,7 @@
 #include <optional>
 #include <vector>
 
-namespace Conformal_geometry_processing {
-
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgSpin
 /// \brief finds the least rho whose transformation takes control points to targets up to a
@@ -89,12 +85,4 @@ class Control_point_search {
   int m_steps = 0;
 };
 
-}  // namespace internal
-
-}  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/spin/Control_point_search_impl.h>
-#endif
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

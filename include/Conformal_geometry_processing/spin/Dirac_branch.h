@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_DIRAC_BRANCH_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_DIRAC_BRANCH_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
 #include <Conformal_geometry_processing/linear_algebra/krylov/Eigensolver_result.h>
@@ -17,9 +15,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace Conformal_geometry_processing {
-
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \brief solves (D - rho) lambda = gamma lambda on a closed surface, on the branch of eigenpairs
 /// of D - t rho from lambda = 1 at t = 0 to t = 1 [CGP (5.3)].
@@ -167,11 +163,4 @@ class Dirac_branch {
   bool m_may_settle = true;  // no stage that relied on it has been rejected
 };
 
-}  // namespace internal
-}  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/spin/Dirac_branch_impl.h>
-#endif
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

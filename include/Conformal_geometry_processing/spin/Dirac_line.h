@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_DIRAC_LINE_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_DIRAC_LINE_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/linear_algebra/direct/Solver_ref.h>
 #include <Conformal_geometry_processing/operators/Curvature_potential.h>
@@ -13,9 +11,7 @@
 
 #include <optional>
 
-namespace Conformal_geometry_processing {
-
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgSpin
 /// \brief predicts the spins of rho + t d on a closed surface from those of rho.
@@ -49,12 +45,4 @@ class Dirac_line {
   int m_solves = 0;
 };
 
-}  // namespace internal
-
-}  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/spin/Dirac_line_impl.h>
-#endif
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

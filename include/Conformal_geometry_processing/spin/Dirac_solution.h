@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_DIRAC_SOLUTION_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_DIRAC_SOLUTION_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
 #include <Conformal_geometry_processing/linear_algebra/krylov/Eigensolver_ref.h>
@@ -102,9 +100,3 @@ void add_costs(Dirac_evidence::Seconds& all, const Dirac_evidence::Seconds& next
 internal::Dirac_evidence in_units(internal::Dirac_evidence evidence, double unit);
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/spin/Dirac_solution_impl.h>
-#endif
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_DIRAC_SPECTRAL_PROBLEM_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_DIRAC_SPECTRAL_PROBLEM_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Solver_ref.h>
@@ -17,9 +15,7 @@
 #include <functional>
 #include <string>
 
-namespace Conformal_geometry_processing {
-
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgSpin
 /// \brief finds the eigenvalues nearest to a shift s, and eigenfunctions, of D - rho, on closed
@@ -95,12 +91,4 @@ class Dirac_spectral_problem {
   Vectors m_constants;        // in the kernel of D - rho, and excluded
 };
 
-}  // namespace internal
-
-}  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/spin/Dirac_spectral_problem_impl.h>
-#endif
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

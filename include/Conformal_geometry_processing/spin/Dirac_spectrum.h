@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_DIRAC_SPECTRUM_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_DIRAC_SPECTRUM_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
 
@@ -75,9 +73,3 @@ std::vector<internal::Multiple_eigenvalue> with_multiplicities(const Eigen::Vect
                                                                double resolution);
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/spin/Dirac_spectrum_impl.h>
-#endif
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_DIRAC_SYSTEM_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_DIRAC_SYSTEM_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
 #include <Conformal_geometry_processing/linear_algebra/dense/block_products.h>
@@ -21,9 +19,7 @@
 #include <optional>
 #include <string>
 
-namespace Conformal_geometry_processing {
-
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgSpin
 /// \brief the discrete operator D - rho of a surface in least-squares form, X = (D - R)^H M (D -
@@ -215,12 +211,4 @@ Block<Quaternion<double>> closed_response(const Hermitian_sparse_matrix<Quaterni
                                           Block<Quaternion<double>> c, double tolerance,
                                           int& solves);
 
-}  // namespace internal
-
-}  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/spin/Dirac_system_impl.h>
-#endif
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

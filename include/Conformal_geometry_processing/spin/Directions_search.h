@@ -1,16 +1,12 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_DIRECTIONS_SEARCH_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_DIRECTIONS_SEARCH_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/linear_algebra/krylov/Lobpcg.h>
 #include <Conformal_geometry_processing/spin/Dirac_system.h>
 
 #include <Eigen/Core>
 
-namespace Conformal_geometry_processing {
-
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \brief solves (D - rho) lambda = gamma lambda for spins that turn directions at the boundary
 /// into prescribed ones: takes the smallest singular value of D - rho on that space, or one of the
@@ -77,11 +73,4 @@ class Directions_search {
   double m_greatest_eigenvalue;  // its modulus, of a solution, if it is not a misfit
 };
 
-}  // namespace internal
-}  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/spin/Directions_search_impl.h>
-#endif
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_EXACTNESS_CONSTRAINTS_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_EXACTNESS_CONSTRAINTS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/forms/exactness_functions.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Grounded_solver.h>
@@ -74,12 +72,3 @@ internal::Exactness_constraints exactness_constraints(internal::Dirac_system& sy
                                                       std::optional<Exactness> version);
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/spin/Exactness_constraints_impl.h>
-#endif
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#endif
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_FRAMED_SURFACE_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_FRAMED_SURFACE_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/mesh/Delaunay_view.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
@@ -16,8 +14,7 @@
 #include <optional>
 #include <string>
 
-namespace Conformal_geometry_processing {
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \brief the surface of a spin transformation in a frame of unit size around its centre: a mesh,
 /// or with mollification its intrinsic Delaunay triangulation.
@@ -86,11 +83,4 @@ class Framed_surface {
   std::optional<Well_shaped_faces> m_measured;
 };
 
-}  // namespace internal
-}  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/spin/Framed_surface_impl.h>
-#endif
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

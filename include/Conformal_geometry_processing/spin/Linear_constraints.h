@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_LINEAR_CONSTRAINTS_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_LINEAR_CONSTRAINTS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
@@ -9,9 +7,7 @@
 
 #include <utility>
 
-namespace Conformal_geometry_processing {
-
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgSpin
 /// \brief the constraints C^T d = c of a step d, with an inner product K.
@@ -49,12 +45,4 @@ class Linear_constraints {
   Eigen::PartialPivLU<Eigen::MatrixXd> m_lu;  // of it
 };
 
-}  // namespace internal
-
-}  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/spin/Linear_constraints_impl.h>
-#endif
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

@@ -1,9 +1,8 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_NEAREST_SPIN_TRANSFORMATION_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_NEAREST_SPIN_TRANSFORMATION_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/exceptions.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Solver_ref.h>
 #include <Conformal_geometry_processing/linear_algebra/krylov/Visit_guard.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
 #include <Conformal_geometry_processing/spin/Target_mismatch.h>
@@ -166,9 +165,3 @@ class Nearest_spin_transformation {
 };
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/spin/Nearest_spin_transformation_impl.h>
-#endif
-
-#endif

@@ -1,14 +1,11 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_PERIOD_LIMIT_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_PERIOD_LIMIT_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/spin/Spin_report.h>
 
 #include <optional>
 
-namespace Conformal_geometry_processing {
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \brief the largest period defect of a transformation that counts as closed.
 ///
@@ -27,11 +24,4 @@ struct Period_limit {
   double operator()(const Spin_report& report, double share) const;
 };
 
-}  // namespace internal
-}  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/spin/Period_limit_impl.h>
-#endif
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_PERIOD_RESIDUAL_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_PERIOD_RESIDUAL_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/mesh/Surface_ref.h>
 #include <Conformal_geometry_processing/spin/Exactness_constraints.h>
@@ -9,9 +7,7 @@
 
 #include <Eigen/Core>
 
-namespace Conformal_geometry_processing {
-
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgSpin
 /// \brief the harmonic part of the transformed edges, three numbers for each loop around handles
@@ -37,12 +33,4 @@ class Period_residual : public Spin_residual {
   Eigen::VectorXd m_values;
 };
 
-}  // namespace internal
-
-}  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/spin/Period_residual_impl.h>
-#endif
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

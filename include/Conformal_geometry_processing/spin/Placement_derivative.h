@@ -1,15 +1,11 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_PLACEMENT_DERIVATIVE_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_PLACEMENT_DERIVATIVE_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 
 #include <Eigen/Core>
 
-namespace Conformal_geometry_processing {
-
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgSpin
 /// \brief the derivative of `restore_area()`: changes df of positions without the scaling and the
@@ -39,12 +35,4 @@ class Placement_derivative {
   Points m_normals;           // 3 x |F|
 };
 
-}  // namespace internal
-
-}  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/spin/Placement_derivative_impl.h>
-#endif
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

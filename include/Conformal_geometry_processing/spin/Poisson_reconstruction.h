@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_POISSON_RECONSTRUCTION_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_POISSON_RECONSTRUCTION_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/linear_algebra/direct/Grounded_solver.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Solver_ref.h>
@@ -73,9 +71,3 @@ class Poisson_reconstruction {
 };
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/spin/Poisson_reconstruction_impl.h>
-#endif
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_POSITION_DERIVATIVE_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_POSITION_DERIVATIVE_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/spin/Dirac_system.h>
 #include <Conformal_geometry_processing/spin/Placement_derivative.h>
@@ -9,9 +7,7 @@
 
 #include <Eigen/Core>
 
-namespace Conformal_geometry_processing {
-
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgSpin
 /// \brief the derivative of the positions of a transformed surface with respect to the spins
@@ -44,12 +40,4 @@ class Position_derivative {
   Placement_derivative m_placement;
 };
 
-}  // namespace internal
-
-}  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/spin/Position_derivative_impl.h>
-#endif
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_POSITION_RESIDUAL_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_POSITION_RESIDUAL_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/measure/alignment.h>
 #include <Conformal_geometry_processing/mesh/Surface_ref.h>
@@ -14,9 +12,7 @@
 
 #include <vector>
 
-namespace Conformal_geometry_processing {
-
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgSpin
 /// \brief the best similarity from points to targets, both in a frame of unit size: of those that
@@ -104,13 +100,4 @@ class Position_residual : public Spin_residual {
   Shape_motions m_motions;
 };
 
-}  // namespace internal
-
-}  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/spin/Position_residual.h>
-#include <Conformal_geometry_processing/spin/Position_residual_impl.h>
-#endif
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_POTENTIAL_METRIC_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_POTENTIAL_METRIC_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
 #include <Conformal_geometry_processing/linear_algebra/dense/Solver_status.h>
@@ -13,9 +11,7 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
-namespace Conformal_geometry_processing {
-
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgSpin
 /// \brief the inner product K = M + s L of changes of rho, which approximates
@@ -68,12 +64,4 @@ class Potential_metric {
   Solver_ref<double> m_solver;               // of this matrix
 };
 
-}  // namespace internal
-
-}  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/spin/Potential_metric_impl.h>
-#endif
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

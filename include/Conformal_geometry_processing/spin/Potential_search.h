@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_POTENTIAL_SEARCH_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_POTENTIAL_SEARCH_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/spin/Dirac_line.h>
 #include <Conformal_geometry_processing/spin/Dirac_system.h>
@@ -17,9 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace Conformal_geometry_processing {
-
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgSpin
 /// \brief searches the change rho' of curvature nearest to a given rho whose transformation does
@@ -201,12 +197,4 @@ class Potential_search {
   Dirac_solution m_costs;  // without spins
 };
 
-}  // namespace internal
-
-}  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/spin/Potential_search_impl.h>
-#endif
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

@@ -1,11 +1,10 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_PRESCRIBED_DIRECTIONS_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_PRESCRIBED_DIRECTIONS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/algebra/Reduced_basis.h>
 #include <Conformal_geometry_processing/algebra/stable_norm.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Dirichlet_solver.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Solver_ref.h>
 #include <Conformal_geometry_processing/mesh/Boundary_frames.h>
 #include <Conformal_geometry_processing/spin/Boundary_condition.h>
 
@@ -15,9 +14,7 @@
 #include <utility>
 #include <vector>
 
-namespace Conformal_geometry_processing {
-
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgSpin
 /// \brief the space of spins that turn a direction of the boundary frames into prescribed
@@ -83,12 +80,4 @@ class Prescribed_directions {
   Quaternion_vector<double> m_guide;
 };
 
-}  // namespace internal
-
-}  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/spin/Prescribed_directions_impl.h>
-#endif
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

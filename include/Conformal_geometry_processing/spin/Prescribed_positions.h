@@ -1,11 +1,10 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_PRESCRIBED_POSITIONS_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_PRESCRIBED_POSITIONS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
 #include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Dirichlet_solver.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Solver_ref.h>
 #include <Conformal_geometry_processing/mesh/Boundary_frames.h>
 #include <Conformal_geometry_processing/spin/Boundary_condition.h>
 
@@ -17,9 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace Conformal_geometry_processing {
-
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgSpin
 /// \brief spins and positions of a surface whose boundary is mapped to a given curve with given
@@ -102,12 +99,4 @@ class Prescribed_positions {
   Dirichlet_solver<double> m_positions;
 };
 
-}  // namespace internal
-
-}  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/spin/Prescribed_positions_impl.h>
-#endif
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

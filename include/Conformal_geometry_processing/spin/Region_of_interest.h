@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_REGION_OF_INTEREST_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_REGION_OF_INTEREST_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
 #include <Conformal_geometry_processing/measure/Conformality.h>
@@ -15,9 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace Conformal_geometry_processing {
-
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgSpin
 /// \brief the part of a surface that an edit may change, with a collar where the edit fades out.
@@ -79,12 +75,4 @@ class Region_of_interest {
   std::vector<Control_point> m_anchors;
 };
 
-}  // namespace internal
-
-}  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/spin/Region_of_interest_impl.h>
-#endif
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_SCALE_CONTROL_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_SCALE_CONTROL_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
 
@@ -13,9 +11,7 @@
 #include <optional>
 #include <string>
 
-namespace Conformal_geometry_processing {
-
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgSpin
 /// \brief how much a transformation may change lengths.
@@ -54,12 +50,4 @@ Eigen::VectorXd wanted_log_scales(const Eigen::VectorXd& areas, const Scale_cont
 void measure_kept(const Curvature_potential& rho, const Curvature_potential& found,
                   const Eigen::VectorXd& areas, bool is_closed, Spin_report::Scales& scales);
 
-}  // namespace internal
-
-}  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/spin/Scale_control_impl.h>
-#endif
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

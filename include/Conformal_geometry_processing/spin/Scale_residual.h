@@ -1,15 +1,11 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_SCALE_RESIDUAL_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_SCALE_RESIDUAL_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/spin/Spin_residual.h>
 
 #include <Eigen/Core>
 
-namespace Conformal_geometry_processing {
-
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgSpin
 /// \brief the root of w times the areas times the deviation of `log_scales()` from wanted ones.
@@ -40,12 +36,4 @@ class Scale_residual : public Spin_residual {
   Spins m_lambda;
 };
 
-}  // namespace internal
-
-}  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/spin/Scale_residual_impl.h>
-#endif
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_SCALE_SEARCH_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_SCALE_SEARCH_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/spin/Exactness_residual.h>
 #include <Conformal_geometry_processing/spin/Period_residual.h>
@@ -18,9 +16,7 @@
 #include <limits>
 #include <optional>
 
-namespace Conformal_geometry_processing {
-
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgSpin
 /// \brief finds the rho' nearest to rho whose transformation changes lengths by no more than a
@@ -147,12 +143,4 @@ class Scale_search {
   Trial m_beyond;  // the nearest one beyond the bound
 };
 
-}  // namespace internal
-
-}  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/spin/Scale_search_impl.h>
-#endif
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

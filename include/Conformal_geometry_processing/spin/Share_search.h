@@ -1,16 +1,12 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_SHARE_SEARCH_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_SHARE_SEARCH_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/spin/Spin_result.h>
 
 #include <functional>
 #include <utility>
 
-namespace Conformal_geometry_processing {
-
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgSpin
 /// \brief applies as much of rho as a surface bears: all of it, or a half, a quarter, an eighth
@@ -88,8 +84,4 @@ class Share_search {
   double m_share = 1, m_too_much = 0;
 };
 
-}  // namespace internal
-
-}  // namespace Conformal_geometry_processing
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

@@ -1,15 +1,11 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_SHIFT_SECANT_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_SHIFT_SECANT_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-namespace Conformal_geometry_processing {
-
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgSpin
 /// \brief finds the shift that is the quotient of its own eigenvector: the zero of the change from
@@ -43,8 +39,4 @@ class Shift_secant {
       std::numeric_limits<double>::infinity();  // at m_shift; infinite before the first
 };
 
-}  // namespace internal
-
-}  // namespace Conformal_geometry_processing
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

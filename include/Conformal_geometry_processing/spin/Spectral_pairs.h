@@ -1,14 +1,11 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_SPECTRAL_PAIRS_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_SPECTRAL_PAIRS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
 
 #include <Eigen/Core>
 
-namespace Conformal_geometry_processing {
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgSpin
 /// \brief eigenvectors of A = D - rho - s with their quotients, of a space that contains every
@@ -62,11 +59,4 @@ bool is_window_complete(const Spectral_pairs& pairs, Eigen::Index count);
 /// vectors have displaced may be missing from their energy on, which limits the reach.
 Spectral_pairs resolved_nearest_first(const Spectral_pairs& pairs);
 
-}  // namespace internal
-}  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/spin/Spectral_pairs_impl.h>
-#endif
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_SPIN_PREVIEW_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_SPIN_PREVIEW_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/linear_algebra/krylov/Lobpcg.h>
 #include <Conformal_geometry_processing/operators/Curvature_potential.h>
@@ -13,9 +11,7 @@
 
 #include <Eigen/Core>
 
-namespace Conformal_geometry_processing {
-
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgSpin
 /// \brief approximate transformations of one surface for a rho that changes little from call to
@@ -68,12 +64,4 @@ class Spin_preview {
   double m_gamma = 0;  // of the admissible part of rho
 };
 
-}  // namespace internal
-
-}  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/spin/Spin_preview_impl.h>
-#endif
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_SPIN_REPORT_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_SPIN_REPORT_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/measure/Conformality.h>
 #include <Conformal_geometry_processing/spin/Class_snap_report.h>
@@ -167,9 +165,3 @@ void add_costs(Spin_report& all, const Spin_report& next);
 void append(Spin_report& all, const Spin_report& next);
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/spin/Spin_report_impl.h>
-#endif
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_SPIN_RESIDUAL_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_SPIN_RESIDUAL_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
 
@@ -9,9 +7,7 @@
 
 #include <vector>
 
-namespace Conformal_geometry_processing {
-
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgSpin
 /// \brief numbers r(lambda) that a `Potential_search` makes small, or zero: what is wanted of the
@@ -51,12 +47,4 @@ Eigen::VectorXd dampings_of(const Spin_residuals& residuals);
 /// the gradients of the values with respect to the spins, |V| x number of values
 Block<Quaternion<double>> gradients_of(const Spin_residuals& residuals, Eigen::Index vertices);
 
-}  // namespace internal
-
-}  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/spin/Spin_residual_impl.h>
-#endif
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_SPIN_RESULT_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_SPIN_RESULT_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
@@ -18,5 +16,3 @@ struct Spin_result {
 };
 
 }  // namespace Conformal_geometry_processing
-
-#endif

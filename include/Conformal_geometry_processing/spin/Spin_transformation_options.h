@@ -1,9 +1,8 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_SPIN_TRANSFORMATION_OPTIONS_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_SPIN_TRANSFORMATION_OPTIONS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/forms/exactness_functions.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Solver_ref.h>
 #include <Conformal_geometry_processing/spin/Boundary_condition.h>
 #include <Conformal_geometry_processing/spin/Scale_control.h>
 
@@ -37,5 +36,3 @@ struct Spin_transformation_options {
 };
 
 }  // namespace Conformal_geometry_processing
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_SPIN_VISITOR_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_SPIN_VISITOR_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/linear_algebra/krylov/Eigensolver_result.h>
 
@@ -21,5 +19,3 @@ struct Spin_visitor {
 };
 
 }  // namespace Conformal_geometry_processing
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_TARGET_MISMATCH_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_TARGET_MISMATCH_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/measure/alignment.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
@@ -9,9 +7,7 @@
 
 #include <Eigen/Core>
 
-namespace Conformal_geometry_processing {
-
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgSpin
 /// \brief how far surfaces are from a target with the same faces, in positions and in normals, both
@@ -64,12 +60,4 @@ class Target_mismatch {
   Value m_source;
 };
 
-}  // namespace internal
-
-}  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/spin/Target_mismatch_impl.h>
-#endif
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

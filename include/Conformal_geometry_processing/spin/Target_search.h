@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_TARGET_SEARCH_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_TARGET_SEARCH_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/spin/Exactness_residual.h>
 #include <Conformal_geometry_processing/spin/Period_residual.h>
@@ -15,9 +13,7 @@
 
 #include <optional>
 
-namespace Conformal_geometry_processing {
-
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgSpin
 /// \brief finds the rho whose transformation comes nearest to a given surface: minimises
@@ -99,12 +95,4 @@ class Target_search {
   Spin_result m_best;
 };
 
-}  // namespace internal
-
-}  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/spin/Target_search_impl.h>
-#endif
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

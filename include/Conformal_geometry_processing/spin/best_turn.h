@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_BEST_TURN_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_BEST_TURN_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/algebra/Quaternion.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
@@ -18,9 +16,3 @@ namespace Conformal_geometry_processing {
 Quaternion<double> best_turn(const Points& U, const Points& V);
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/spin/best_turn_impl.h>
-#endif
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_BOUNDARY_FAULT_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_BOUNDARY_FAULT_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/mesh/Surface_ref.h>
 #include <Conformal_geometry_processing/spin/Spin_report.h>
@@ -33,9 +31,3 @@ Spin_report::Boundary_fault boundary_fault(const Surface_ref& surface, double si
                                            const Spin_report& report);
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/spin/boundary_fault_impl.h>
-#endif
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_BOUNDARY_PLANES_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_BOUNDARY_PLANES_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/algebra/Reduced_basis.h>
 #include <Conformal_geometry_processing/mesh/Boundary_frames.h>
@@ -47,9 +45,3 @@ Quaternion<double> boundary_spin(const internal::Boundary_frame& source,
                                  const internal::Boundary_frame& target, double ratio);
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/spin/boundary_planes_impl.h>
-#endif
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_CHECKED_TARGET_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_CHECKED_TARGET_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 
@@ -9,9 +7,7 @@
 #include <string>
 #include <utility>
 
-namespace Conformal_geometry_processing {
-
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgSpin
 /// both in the normalized frame of the mesh, where squares of areas neither over- nor underflow
@@ -26,12 +22,4 @@ std::pair<Mesh_view, Points> in_frame(const Mesh_view& mesh, const Points& targe
 Points checked_target(const Mesh_view& mesh, Points target,
                       const std::optional<double>& mollification, const std::string& function);
 
-}  // namespace internal
-
-}  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/spin/checked_target_impl.h>
-#endif
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_CLOSED_STEP_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_CLOSED_STEP_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/linear_algebra/krylov/Eigensolver_result.h>
 #include <Conformal_geometry_processing/operators/Curvature_potential.h>
@@ -60,9 +58,3 @@ Eigen::MatrixXd period_derivative(Spin_transformation& transformation, Closed_st
 
 }  // namespace internal
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/spin/closed_step_impl.h>
-#endif
-
-#endif

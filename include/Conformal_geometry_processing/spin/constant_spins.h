@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_CONSTANT_SPINS_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_CONSTANT_SPINS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/algebra/Reduced_basis.h>
 
@@ -18,9 +16,3 @@ namespace Conformal_geometry_processing {
 Vector<Quaternion<double>> constant_spins(const internal::Reduced_basis<double>& basis);
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/spin/constant_spins_impl.h>
-#endif
-
-#endif

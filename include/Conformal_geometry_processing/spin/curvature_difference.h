@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_CURVATURE_DIFFERENCE_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_CURVATURE_DIFFERENCE_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 #include <Conformal_geometry_processing/operators/Curvature_potential.h>
@@ -30,9 +28,3 @@ Curvature_potential transferred(const Curvature_potential& rho, const Mesh_view&
                                 const Mesh_view& to);
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/spin/curvature_difference_impl.h>
-#endif
-
-#endif

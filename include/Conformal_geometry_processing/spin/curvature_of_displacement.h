@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_CURVATURE_OF_DISPLACEMENT_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_CURVATURE_OF_DISPLACEMENT_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 #include <Conformal_geometry_processing/operators/Curvature_potential.h>
@@ -31,9 +29,3 @@ namespace Conformal_geometry_processing {
 Curvature_potential curvature_of_displacement(const Mesh_view& mesh, const Eigen::VectorXd& height);
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/spin/curvature_of_displacement_impl.h>
-#endif
-
-#endif

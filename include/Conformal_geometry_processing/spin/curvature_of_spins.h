@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_CURVATURE_OF_SPINS_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_CURVATURE_OF_SPINS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
 #include <Conformal_geometry_processing/mesh/Surface_ref.h>
@@ -20,9 +18,3 @@ Curvature_potential curvature_of_spins(const Surface_ref& surface,
                                        const Quaternion_vector<double>& mu);
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/spin/curvature_of_spins_impl.h>
-#endif
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_DIRAC_PENCILS_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_DIRAC_PENCILS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/linear_algebra/dense/block_operators.h>
 #include <Conformal_geometry_processing/linear_algebra/krylov/Krylov_space.h>
@@ -18,8 +16,7 @@
 /// \brief the Hermitian pencils of D - rho on the space of spins of a `Dirac_system` with potential
 /// rho. They refer to the system and to the excluded constants.
 
-namespace Conformal_geometry_processing {
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// the constants in the space of spins, M_V-orthonormal: the kernel of X for rho = 0
 Block<Quaternion<double>> constants_in_space(const Dirac_system& system);
@@ -47,11 +44,4 @@ Pencil pencil_of_form(const Dirac_system& system, const Curvature_potential& rho
 Dirac_forms forms_in_space(const Dirac_system& system, const Curvature_potential& rho,
                            const Block<Quaternion<double>>& v);
 
-}  // namespace internal
-}  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/spin/dirac_pencils_impl.h>
-#endif
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

@@ -1,16 +1,12 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_EDGE_DERIVATIVE_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_EDGE_DERIVATIVE_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
 #include <Conformal_geometry_processing/mesh/Surface_ref.h>
 
 #include <Eigen/Core>
 
-namespace Conformal_geometry_processing {
-
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgSpin
 /// \brief the change of `transformed_edges()` with lambda, |E| x 3: they are quadratic in it.
@@ -24,12 +20,4 @@ Quaternion_vector<double> edge_gradient(const Surface_ref& surface,
                                         const Quaternion_vector<double>& lambda,
                                         const Eigen::MatrixX3d& y);
 
-}  // namespace internal
-
-}  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/spin/edge_derivative_impl.h>
-#endif
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_FACE_SPINS_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_FACE_SPINS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
@@ -49,9 +47,3 @@ Quaternion_vector<double> vertex_spins(const Mesh_view& mesh,
                                        const Quaternion_vector<double>& face_spins);
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/spin/face_spins_impl.h>
-#endif
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_FOLLOW_BRANCH_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_FOLLOW_BRANCH_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
 #include <Conformal_geometry_processing/mesh/Surface_ref.h>
@@ -10,9 +8,7 @@
 #include <Eigen/Core>
 #include <limits>
 
-namespace Conformal_geometry_processing {
-
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgSpin
 /// \brief the forms of D - base - t rho - sigma on the span of k vectors V, |V| x k, for every t
@@ -113,12 +109,4 @@ Branch_point follow_branch(const Dirac_gram& gram, const Branch_point& first, do
 /// 3. Its misfit is at most half of the gap, which bounds the sine of its error.
 Branch_point follow_settled_branch(const Dirac_gram& gram, const Branch_point& first, double end);
 
-}  // namespace internal
-
-}  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/spin/follow_branch_impl.h>
-#endif
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_GAUGE_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_GAUGE_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
@@ -31,9 +29,3 @@ Eigen::Vector3d centroid(const Mesh_view& mesh, const Points& f, const Eigen::Ve
 void restore_area(const Mesh_view& mesh, Points& f, Quaternion_vector<double>& lambda);
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/spin/gauge_impl.h>
-#endif
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_GENERALIZED_DIRAC_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_GENERALIZED_DIRAC_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/linear_algebra/krylov/Lobpcg.h>
 #include <Conformal_geometry_processing/operators/dirac_energy.h>
@@ -39,9 +37,3 @@ void solve_generalized_dirac(internal::Dirac_system& system, const Curvature_pot
                              const internal::Go_further& go_further);
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/spin/generalized_dirac_impl.h>
-#endif
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_LEAST_TWIST_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_LEAST_TWIST_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/algebra/Reduced_basis.h>
 
@@ -28,9 +26,3 @@ std::vector<Quaternion<double>> least_twist(
     const std::vector<internal::Reduced_basis<double>::Plane>& planes, const Quaternion<double>& q);
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/spin/least_twist_impl.h>
-#endif
-
-#endif

@@ -1,15 +1,11 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_LOG_SCALES_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_LOG_SCALES_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
 
 #include <Eigen/Core>
 
-namespace Conformal_geometry_processing {
-
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgSpin
 /// \brief u = log |lambda|^2, |V|: the transformation scales lengths by e^u. The gauge adds a
@@ -26,12 +22,4 @@ Eigen::MatrixXd log_scale_change(const Quaternion_vector<double>& lambda,
 Block<Quaternion<double>> log_scale_gradient(const Quaternion_vector<double>& lambda,
                                              const Eigen::MatrixXd& y);
 
-}  // namespace internal
-
-}  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/spin/log_scales_impl.h>
-#endif
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

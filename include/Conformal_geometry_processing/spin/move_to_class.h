@@ -1,13 +1,10 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_MOVE_TO_CLASS_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_MOVE_TO_CLASS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/spin/Framed_surface.h>
 #include <Conformal_geometry_processing/spin/Spin_result.h>
 
-namespace Conformal_geometry_processing {
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgSpin
 /// \brief moves a transformed surface by as little as possible into the exact discrete conformal
@@ -29,11 +26,4 @@ namespace internal {
 void move_to_class(const Framed_surface& domain, const Boundary_condition& boundary,
                    Spin_result& result);
 
-}  // namespace internal
-}  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/spin/move_to_class_impl.h>
-#endif
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_NEAREST_CURVATURE_DIFFERENCE_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_NEAREST_CURVATURE_DIFFERENCE_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/linear_algebra/krylov/Eigensolver_result.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
@@ -38,9 +36,3 @@ Curvature_potential nearest_curvature_difference(
     const std::string& function = "nearest_curvature_difference");
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/spin/nearest_curvature_difference_impl.h>
-#endif
-
-#endif

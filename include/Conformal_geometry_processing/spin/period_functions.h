@@ -1,14 +1,11 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_PERIOD_FUNCTIONS_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_PERIOD_FUNCTIONS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/forms/exactness_functions.h>
 
 #include <Eigen/Core>
 
-namespace Conformal_geometry_processing {
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgSpin
 /// \brief the derivative of the periods of a transformed surface by rho, at any transformation.
@@ -27,11 +24,4 @@ Eigen::MatrixXd period_functions(const Surface_ref& surface, const Harmonic_basi
                                  const Quaternion_vector<double>& lambda,
                                  const Spin_response& respond);
 
-}  // namespace internal
-}  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/spin/period_functions_impl.h>
-#endif
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_SIGNED_EIGENVECTORS_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_SIGNED_EIGENVECTORS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/linear_algebra/krylov/krylov_schur.h>
 
@@ -39,9 +37,3 @@ internal::Signed_eigenvectors signed_eigenvectors(const internal::Pencil& form,
                                                   const internal::Krylov_result& square);
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/spin/signed_eigenvectors_impl.h>
-#endif
-
-#endif

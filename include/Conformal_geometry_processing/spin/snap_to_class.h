@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_SNAP_TO_CLASS_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_SNAP_TO_CLASS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/conformal_class/Conformal_class.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
@@ -9,9 +7,7 @@
 
 #include <string>
 
-namespace Conformal_geometry_processing {
-
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgConformalClass
 /// Requires an oriented manifold, in one component or more, without edges of length zero
@@ -26,12 +22,4 @@ void require_edge_lengths(const Mesh_view& mesh, const std::string& function);
 Class_snap_report snap_to_class(const Mesh_view& reference, Points& positions,
                                 const Snap_options& options, Rim_directions rim = {});
 
-}  // namespace internal
-
-}  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/spin/snap_to_class_impl.h>
-#endif
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_SOLVE_DIRAC_EQUATION_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_SOLVE_DIRAC_EQUATION_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/linear_algebra/krylov/Lobpcg.h>
 #include <Conformal_geometry_processing/operators/Curvature_potential.h>
@@ -62,9 +60,3 @@ Dirac_solution correct_dirac_solution(Dirac_system& system, const Curvature_pote
 }  // namespace internal
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/spin/solve_dirac_equation_impl.h>
-#endif
-
-#endif

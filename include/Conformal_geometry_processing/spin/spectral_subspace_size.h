@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_SPECTRAL_SUBSPACE_SIZE_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_SPECTRAL_SUBSPACE_SIZE_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/spin/Spectral_pairs.h>
 
@@ -9,8 +7,7 @@
 /// \brief how many eigenvectors of X are computed to find `count` eigenvalues of D - rho next to a
 /// shift.
 
-namespace Conformal_geometry_processing {
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgSpin
 /// enough for what cuts through a multiple eigenvalue at the end, or a pair of opposite sign
@@ -27,11 +24,4 @@ int next_subspace_size(int size, int most, const Spectral_pairs& pairs, int coun
 /// error far exceeds the distances of the eigenvalues.
 int largest_subspace_size(int count);
 
-}  // namespace internal
-}  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/spin/spectral_subspace_size_impl.h>
-#endif
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

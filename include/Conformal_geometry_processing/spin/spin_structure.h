@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_SPIN_STRUCTURE_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_SPIN_STRUCTURE_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/forms/loops_of_faces.h>
@@ -66,9 +64,3 @@ void require_same_spin_structure(const Mesh_view& mesh, const Points& positions,
                                  const std::string& function);
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/spin/spin_structure_impl.h>
-#endif
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_TURNED_BINORMALS_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_TURNED_BINORMALS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 
@@ -21,9 +19,3 @@ Points turned_binormals(const Mesh_view& from, const Mesh_view& to, const Mesh_v
                         double t);
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/spin/turned_binormals_impl.h>
-#endif
-
-#endif

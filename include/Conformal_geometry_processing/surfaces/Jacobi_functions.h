@@ -1,12 +1,9 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SURFACES_JACOBI_FUNCTIONS_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SURFACES_JACOBI_FUNCTIONS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <vector>
 
-namespace Conformal_geometry_processing {
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgSurfaces
 /// \brief Jacobi's elliptic functions of one modulus, by arithmetic-geometric means.
@@ -35,11 +32,4 @@ class Jacobi_functions {
   std::vector<double> m_a, m_c;  // of the steps of the mean
 };
 
-}  // namespace internal
-}  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/surfaces/Jacobi_functions_impl.h>
-#endif
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

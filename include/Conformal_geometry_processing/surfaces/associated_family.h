@@ -1,8 +1,7 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SURFACES_ASSOCIATED_FAMILY_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SURFACES_ASSOCIATED_FAMILY_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
+#include <Conformal_geometry_processing/linear_algebra/direct/Solver_ref.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 #include <Conformal_geometry_processing/spin/Poisson_reconstruction.h>
 
@@ -53,9 +52,3 @@ class Associated_family {
 };
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/surfaces/associated_family_impl.h>
-#endif
-
-#endif

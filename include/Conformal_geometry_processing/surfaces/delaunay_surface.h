@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SURFACES_DELAUNAY_SURFACE_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SURFACES_DELAUNAY_SURFACE_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 #include <Conformal_geometry_processing/surfaces/Jacobi_functions.h>
@@ -60,9 +58,3 @@ class Delaunay_meridian {
 Mesh_view delaunay_surface(double neck, double bulge, int m, int n, int periods = 1);
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/surfaces/delaunay_surface_impl.h>
-#endif
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SURFACES_DIRAC_DISK_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SURFACES_DIRAC_DISK_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
@@ -28,9 +26,3 @@ Spin_result dirac_disk(const Mesh_view& mesh, double wanted, Dirac_options optio
                        const std::string& function = "dirac_disk");
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/surfaces/dirac_disk_impl.h>
-#endif
-
-#endif

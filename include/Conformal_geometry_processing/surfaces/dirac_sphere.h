@@ -1,8 +1,7 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SURFACES_DIRAC_SPHERE_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SURFACES_DIRAC_SPHERE_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
+#include <Conformal_geometry_processing/linear_algebra/direct/Solver_ref.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Conformal_geometry_processing/operators/dirac_energy.h>
@@ -53,9 +52,3 @@ Spin_result spin_to_dirac_sphere(const Mesh_view& mesh, int kappa, int s,
                                  const Spin_solvers& solvers = {});
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/surfaces/dirac_sphere_impl.h>
-#endif
-
-#endif

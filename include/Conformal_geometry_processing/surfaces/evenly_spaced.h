@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SURFACES_EVENLY_SPACED_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SURFACES_EVENLY_SPACED_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/exceptions.h>
 
@@ -41,5 +39,3 @@ Eigen::Matrix<double, Dimension, Eigen::Dynamic> evenly_spaced(
 }
 
 }  // namespace Conformal_geometry_processing
-
-#endif

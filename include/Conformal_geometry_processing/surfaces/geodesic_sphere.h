@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SURFACES_GEODESIC_SPHERE_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SURFACES_GEODESIC_SPHERE_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 
@@ -47,9 +45,3 @@ class Geodesic_points {
 Mesh_view geodesic_sphere(int frequency);
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/surfaces/geodesic_sphere_impl.h>
-#endif
-
-#endif

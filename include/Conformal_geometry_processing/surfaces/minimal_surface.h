@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SURFACES_MINIMAL_SURFACE_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SURFACES_MINIMAL_SURFACE_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 #include <Conformal_geometry_processing/operators/mean_curvature.h>
@@ -69,9 +67,3 @@ Spin_result spin_to_minimal_surface(
     const internal::Go_further& go_further = internal::Always_go_further());
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/surfaces/minimal_surface_impl.h>
-#endif
-
-#endif

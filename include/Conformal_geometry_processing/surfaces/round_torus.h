@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SURFACES_ROUND_TORUS_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SURFACES_ROUND_TORUS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 
@@ -29,9 +27,3 @@ Mesh_view round_torus(double R, double r, int m, int n);
 Mesh_view homogeneous_torus(double b, int n);
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/surfaces/round_torus_impl.h>
-#endif
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SURFACES_SPHERICAL_SPINOR_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SURFACES_SPHERICAL_SPINOR_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/algebra/Quaternion.h>
 #include <Conformal_geometry_processing/exceptions.h>
@@ -34,9 +32,3 @@ void require_spherical_spinor(int kappa, int s, const std::string& function);
 Quaternion<double> spherical_spinor(int kappa, int s, const Eigen::Vector3d& point);
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/surfaces/spherical_spinor_impl.h>
-#endif
-
-#endif

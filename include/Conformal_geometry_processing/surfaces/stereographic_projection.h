@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SURFACES_STEREOGRAPHIC_PROJECTION_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SURFACES_STEREOGRAPHIC_PROJECTION_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/algebra/Quaternion.h>
 
@@ -23,9 +21,3 @@ Eigen::Vector3d stereographic_projection(const Quaternion<double>& q);
 Quaternion<double> inverse_stereographic_projection(const Eigen::Vector3d& p);
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/surfaces/stereographic_projection_impl.h>
-#endif
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SURFACES_TORUS_GRID_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SURFACES_TORUS_GRID_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
@@ -46,5 +44,3 @@ Mesh_view torus_grid(int m, int n, int shift, Point point)
 }
 
 }  // namespace Conformal_geometry_processing
-
-#endif

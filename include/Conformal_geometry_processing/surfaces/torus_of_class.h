@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SURFACES_TORUS_OF_CLASS_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SURFACES_TORUS_OF_CLASS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/forms/Hodge_decomposition.h>
@@ -58,5 +56,3 @@ Mesh_view torus_of_class(Family family, double b, double low, double high)
 }
 
 }  // namespace Conformal_geometry_processing
-
-#endif

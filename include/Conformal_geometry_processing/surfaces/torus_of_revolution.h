@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SURFACES_TORUS_OF_REVOLUTION_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SURFACES_TORUS_OF_REVOLUTION_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 
@@ -43,9 +41,3 @@ internal::Profile profile_of_class(internal::Profile profile, double b);
 Mesh_view torus_of_revolution(const internal::Profile& profile, int m, int n);
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/surfaces/torus_of_revolution_impl.h>
-#endif
-
-#endif

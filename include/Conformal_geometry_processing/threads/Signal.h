@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_THREADS_SIGNAL_H
-#define CONFORMAL_GEOMETRY_PROCESSING_THREADS_SIGNAL_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <atomic>
 #include <condition_variable>
@@ -9,9 +7,7 @@
 #include <mutex>
 #include <thread>
 
-namespace Conformal_geometry_processing {
-
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgThreads
 /// \brief Wakes threads that wait for a change of what a mutex protects.
@@ -43,8 +39,4 @@ class Signal {
   std::atomic<std::int64_t> m_events{0};
 };
 
-}  // namespace internal
-
-}  // namespace Conformal_geometry_processing
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_THREADS_TASK_POOL_H
-#define CONFORMAL_GEOMETRY_PROCESSING_THREADS_TASK_POOL_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/threads/Signal.h>
 
@@ -13,9 +11,7 @@
 #include <thread>
 #include <vector>
 
-namespace Conformal_geometry_processing {
-
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgThreads
 /// \brief Runs tasks, which may spawn further tasks, on several threads.
@@ -104,12 +100,4 @@ class Task_pool {
   std::atomic<bool> m_has_failed{false};
 };
 
-}  // namespace internal
-
-}  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/threads/Task_pool_impl.h>
-#endif
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_THREADS_THREAD_TEAM_H
-#define CONFORMAL_GEOMETRY_PROCESSING_THREADS_THREAD_TEAM_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/threads/Signal.h>
 
@@ -11,9 +9,7 @@
 #include <thread>
 #include <vector>
 
-namespace Conformal_geometry_processing {
-
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgThreads
 /// \brief Threads that help this one, and wait for work as long as the team exists.
@@ -57,12 +53,4 @@ class Thread_team {
   std::exception_ptr m_failure;
 };
 
-}  // namespace internal
-
-}  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/threads/Thread_team_impl.h>
-#endif
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_THREADS_NUMBER_OF_THREADS_H
-#define CONFORMAL_GEOMETRY_PROCESSING_THREADS_NUMBER_OF_THREADS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/config.h>
 
@@ -23,9 +21,3 @@ int number_of_threads();
 void set_number_of_threads(int threads);
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/threads/number_of_threads_impl.h>
-#endif
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_THREADS_PARALLEL_LOOPS_H
-#define CONFORMAL_GEOMETRY_PROCESSING_THREADS_PARALLEL_LOOPS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/threads/Thread_team.h>
 #include <Conformal_geometry_processing/threads/number_of_threads.h>
@@ -13,9 +11,7 @@
 #include <functional>
 #include <vector>
 
-namespace Conformal_geometry_processing {
-
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgThreads
 /// \brief Calls `visit(first, last)` for ranges that make up 0 <= i < count, on several threads.
@@ -80,8 +76,4 @@ Sum sum_of_ranges(std::ptrdiff_t count, std::ptrdiff_t size, const Sum& zero, co
   return all;
 }
 
-}  // namespace internal
-
-}  // namespace Conformal_geometry_processing
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

@@ -1,6 +1,5 @@
 // Tests linear_algebra/direct/Grounded_solver.h
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/linear_algebra/adapters/Eigen_hermitian_solver_traits.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Grounded_solver.h>
@@ -72,7 +71,8 @@ TEST(Grounded_solver, shares_an_ordering)
 {
   const auto L = random_laplacian(random_pattern(n, 1), 2);
   const CGP::internal::Ordering order = random_permutation(n, 9);
-  CGP::internal::Solver_ref<double> other = CGP::Spin_solvers().solver<double>();
+  CGP::internal::Solver_ref<double> other =
+      CGP::Spin_solvers(CGP::Eigen_hermitian_solver_traits()).solver<double>();
   ASSERT_EQ(other.analyze(L.pattern(), order), CGP::Solver_status::success);
   CGP::internal::Grounded_solver solver(L.shared_pattern(), other);
   EXPECT_EQ(solver.ordering(), order);

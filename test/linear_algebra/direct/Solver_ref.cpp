@@ -1,5 +1,4 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 // Tests include/Conformal_geometry_processing/linear_algebra/direct/Solver_ref.h
 #include <Conformal_geometry_processing/linear_algebra/adapters/Eigen_hermitian_solver_traits.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Solver_ref.h>
@@ -45,21 +44,35 @@ TEST(Solver_ref, calls_each_operation_of_the_wrapped_solver_once)
   EXPECT_EQ(counts.solves, 6);
 }
 
-TEST(Solver_ref, shares_the_analysis_of_any_other)
+TEST(Solver_ref, shares_the_analysis_of_its_own_traits)
 {
   const Pattern pattern = random_pattern(20, 1);
-  const CGP::internal::Ordering order = random_permutation(20, 9);
-  const CGP::Spin_solvers own, eigen = CGP::Eigen_hermitian_solver_traits();
-  for (const auto& [from, to] : {std::pair(own, own), {own, eigen}, {eigen, own}, {eigen, eigen}}) {
-    auto other = from.solver<Q>();
-    ASSERT_EQ(other.analyze(*pattern, order), CGP::Solver_status::success);
-    auto real = to.solver<double>();
-    auto same = to.solver<Q>();
+  for (const CGP::Spin_solvers& traits :
+       {CGP::Spin_solvers(), CGP::Spin_solvers(CGP::Eigen_hermitian_solver_traits())}) {
+    auto other = traits.solver<Q>();
+    ASSERT_EQ(other.analyze(*pattern, random_permutation(20, 9)), CGP::Solver_status::success);
+    auto real = other.another<double>();
+    auto same = other.another();
     EXPECT_EQ(real.analyze_like(*pattern, other), CGP::Solver_status::success);
-    EXPECT_EQ(same.analyze_like(*pattern, other), CGP::Solver_status::success);
-    EXPECT_EQ(real.ordering(), order);
-    EXPECT_EQ(same.ordering(), order);
+    EXPECT_EQ(same.analyze_like(*pattern, real), CGP::Solver_status::success);
+    EXPECT_EQ(same.ordering(), real.ordering());
+    EXPECT_EQ(real.statistics().factor_entries, other.statistics().factor_entries);
   }
+}
+
+TEST(Solver_ref, takes_the_ordering_of_other_traits)
+{
+  const auto A = random_definite<Q>(random_pattern(20, 1), 2);
+  const auto b = random_block<Q>(20, 1, 3);
+  const auto eigen = CGP::Spin_solvers(CGP::Eigen_hermitian_solver_traits());
+  auto other = eigen.solver<double>();
+  ASSERT_EQ(other.analyze(A.pattern(), random_permutation(20, 9)), CGP::Solver_status::success);
+  CGP::internal::Solver_ref<Q> solver;
+  CGP::Block<Q> x;
+  ASSERT_EQ(solver.analyze_like(A.pattern(), other), CGP::Solver_status::success);
+  ASSERT_EQ(solver.factorize(A, {}), CGP::Solver_status::success);
+  ASSERT_EQ(solver.solve(b, x), CGP::Solver_status::success);
+  EXPECT_LE((real_form(A) * real_columns(x) - real_columns(b)).norm(), 1e-12);
 }
 
 TEST(Solver_ref, makes_another_of_the_same_traits)

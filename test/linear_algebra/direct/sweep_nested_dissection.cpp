@@ -1,6 +1,5 @@
 // Tests linear_algebra/direct/sweep_nested_dissection.h
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/linear_algebra/direct/Ordering.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Supernodal_structure.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/sweep_nested_dissection.h>

@@ -1,5 +1,4 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 // Tests include/Conformal_geometry_processing/linear_algebra/krylov/Eigensolver_ref.h
 #include <Conformal_geometry_processing/linear_algebra/krylov/Eigensolver_ref.h>
 
@@ -53,7 +52,7 @@ TEST(Eigensolver_ref, is_lobpcg_by_default)
   const auto found = Eigensolver_ref()(p.A, p.masses, p.solver, p.x0, p.options);
   EXPECT_TRUE(found.converged);
   EXPECT_EQ(found.values, expected.values);
-  EXPECT_EQ(found.vectors, expected.vectors);
+  EXPECT_TRUE(found.vectors == expected.vectors);
 }
 
 TEST(Eigensolver_ref, passes_everything_on_to_a_model_with_a_state)
@@ -63,7 +62,7 @@ TEST(Eigensolver_ref, passes_everything_on_to_a_model_with_a_state)
   const Eigensolver_ref echo = Echo{40};
   const auto found =
       echo(p.A, p.masses, p.solver, p.x0, p.options, [](const auto&) { return false; });
-  EXPECT_EQ(found.vectors, p.x0);
+  EXPECT_TRUE(found.vectors == p.x0);
   EXPECT_EQ(found.iterations, 42);
   EXPECT_TRUE(found.cancelled);
   EXPECT_TRUE(found.converged);

@@ -1,7 +1,6 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 // Tests include/Conformal_geometry_processing/linear_algebra/krylov/subspace_iteration.h
-#include <Conformal_geometry_processing/linear_algebra/direct/Supernodal_cholesky.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Solver_ref.h>
 #include <Conformal_geometry_processing/linear_algebra/krylov/subspace_iteration.h>
 
 #include <gtest/gtest.h>
@@ -56,7 +55,7 @@ struct Path_problem {
   double shift = 1e-10;
   CGP::Hermitian_sparse_matrix<double> L;
   CGP::internal::Centered_mass<double> mass;
-  CGP::Supernodal_cholesky<double> solver;
+  CGP::internal::Solver_ref<double> solver;
 };
 
 TEST(Subspace_iteration, finds_the_slowest_mode_of_a_path)
@@ -107,7 +106,7 @@ TEST(Subspace_iteration, ends_when_it_has_to)
 TEST(Subspace_iteration, hands_on_the_failure_of_a_solver)
 {
   const Path_problem problem(4);
-  const CGP::Supernodal_cholesky<double> not_ready;
+  const CGP::internal::Solver_ref<double> not_ready;
   const auto result = CGP::subspace_iteration(problem.L, problem.mass, 1e-10, not_ready,
                                               Eigen::MatrixXd(Eigen::VectorXd::LinSpaced(4, 0, 1)));
   EXPECT_EQ(result.status, CGP::Solver_status::wrong_state);

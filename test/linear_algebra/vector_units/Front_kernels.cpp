@@ -1,8 +1,7 @@
 // Tests linear_algebra/vector_units/Front_kernels.h
 // Tests linear_algebra/vector_units/Panel_kernels.h
 // Tests linear_algebra/vector_units/Panel_kernels.h
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 
 #include <Conformal_geometry_processing/linear_algebra/vector_units/Front_kernels.h>
 

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_OPERATORS_CALCULUS_TORUS_CALCULUS_H
-#define TEST_OPERATORS_CALCULUS_TORUS_CALCULUS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 
@@ -153,5 +151,3 @@ class Torus_sample {
 };
 
 }  // namespace cgp_test
-
-#endif

@@ -1,5 +1,4 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 // Tests operators/calculus/Surface_derivative.h, operators/calculus/gradient.h
 // Tests operators/calculus/divergence.h, operators/calculus/curl.h
 // Tests operators/calculus/shape_operator.h, operators/calculus/fundamental_forms.h

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_PROGRAM_IO_CURVE_SUPPORT_H
-#define TEST_PROGRAM_IO_CURVE_SUPPORT_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "conformal/io/data/Plane_curve.h"
 
@@ -34,5 +32,3 @@ template <class Action>
 }
 
 }  // namespace program_test
-
-#endif

@@ -1,7 +1,6 @@
 // Tests examples/conformal/io/off/read_off.cpp examples/conformal/io/obj/read_obj.cpp
 // Tests examples/conformal/io/ply/read_ply.cpp examples/conformal/io/stl/read_stl.cpp
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include "program/io/io_support.h"
 
 #include "conformal/io/read_surface.h"

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_PROGRAM_IO_ENCODED_PICTURES_H
-#define TEST_PROGRAM_IO_ENCODED_PICTURES_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Eigen/Core>
 
@@ -160,5 +158,3 @@ inline std::vector<std::pair<std::string, std::string>> encoded_blocks()
 }
 
 }  // namespace io_test
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_PROGRAM_IO_IO_SUPPORT_H
-#define TEST_PROGRAM_IO_IO_SUPPORT_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <gtest/gtest.h>
 
@@ -61,5 +59,3 @@ using cgp_test::content;
 using cgp_test::put_file;
 
 }  // namespace io_test
-
-#endif

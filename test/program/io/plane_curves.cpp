@@ -1,7 +1,6 @@
 // Tests examples/conformal/io/read_plane_curves.cpp examples/conformal/io/write_plane_curves.cpp
 // Tests examples/conformal/io/csv/read_curve_rows.cpp
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include "conformal/io/csv/read_curve_rows.h"
 #include "conformal/io/read_plane_curves.h"
 #include "conformal/io/write_plane_curves.h"

@@ -1,7 +1,6 @@
 // Tests examples/conformal/io/glb/read_glb.cpp examples/conformal/io/glb/Glb_content.cpp
 // Tests examples/conformal/io/data/Vertex_merger.h
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include "conformal/io/glb/read_glb.h"
 
 #include "program/io/io_support.h"

@@ -1,8 +1,7 @@
 // Tests examples/conformal/io/read_gray_image.cpp examples/conformal/io/picture/Picture.cpp
 // Tests examples/conformal/io/picture/read_png.cpp examples/conformal/io/picture/read_jpeg.cpp
 // Tests examples/conformal/io/picture/read_pnm.cpp
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include "conformal/io/read_gray_image.h"
 
 #include "program/io/encoded_pictures.h"

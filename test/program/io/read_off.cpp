@@ -1,6 +1,5 @@
 // Tests examples/conformal/io/off/read_off.cpp
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include "conformal/io/off/read_off.h"
 
 #include "program/io/io_support.h"

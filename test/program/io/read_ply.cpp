@@ -1,7 +1,6 @@
 // Tests examples/conformal/io/ply/read_ply.cpp examples/conformal/io/ply/Ply_header.cpp
 // Tests examples/conformal/io/ply/Ply_body.cpp
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include "conformal/io/ply/read_ply.h"
 
 #include "program/io/io_support.h"

@@ -1,7 +1,6 @@
 // Tests examples/conformal/io/read_surface.cpp examples/conformal/io/detect_format.cpp
 // Tests examples/conformal/io/file/read_bytes.cpp
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include "conformal/io/read_surface.h"
 
 #include "program/io/io_support.h"

@@ -1,8 +1,7 @@
 // Tests examples/conformal/io/svg/read_svg.cpp examples/conformal/io/svg/Svg_scanner.cpp
 // Tests examples/conformal/io/svg/svg_path.cpp examples/conformal/io/svg/svg_transform.cpp
 // Tests examples/conformal/io/svg/svg_arc.cpp
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include "conformal/io/svg/read_svg.h"
 #include "conformal/io/svg/svg_path.h"
 

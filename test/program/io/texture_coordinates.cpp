@@ -1,7 +1,6 @@
 // Tests examples/conformal/io/data/texture_coordinates.cpp
 // Tests examples/conformal/io/data/Surface_file.cpp
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include "conformal/io/data/texture_coordinates.h"
 
 #include "conformal/io/obj/read_obj.h"

@@ -1,7 +1,6 @@
 // Tests examples/conformal/io/glb/write_glb.cpp examples/conformal/io/glb/Glb_mesh.cpp
 // Tests examples/conformal/io/glb/checkerboard.cpp
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include "conformal/io/glb/write_glb.h"
 
 #include "conformal/io/file/little_endian.h"

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_IO_CSV_READ_CURVE_ROWS_H
-#define CONFORMAL_IO_CSV_READ_CURVE_ROWS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "conformal/io/data/Plane_curve.h"
 
@@ -20,5 +18,3 @@ std::vector<Plane_curve> parse_curve_rows(std::string_view bytes, const std::str
 std::vector<Plane_curve> parse_obj_lines(std::string_view bytes, const std::string& path);
 
 }  // namespace conformal
-
-#endif

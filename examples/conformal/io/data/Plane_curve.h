@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_IO_DATA_PLANE_CURVE_H
-#define CONFORMAL_IO_DATA_PLANE_CURVE_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Eigen/Core>
 
@@ -28,5 +26,3 @@ struct Curve_reading {
 Eigen::Matrix2Xd columns(const std::vector<Eigen::Vector2d>& points);
 
 }  // namespace conformal
-
-#endif

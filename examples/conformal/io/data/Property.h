@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_IO_DATA_PROPERTY_H
-#define CONFORMAL_IO_DATA_PROPERTY_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <cstddef>
 #include <cstdint>
@@ -126,5 +124,3 @@ void set_property(Element& element, const std::string& name, const std::vector<f
 void set_property(Element& element, const std::string& name, const std::vector<double>& values);
 
 }  // namespace conformal
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_IO_DATA_SURFACE_FILE_H
-#define CONFORMAL_IO_DATA_SURFACE_FILE_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "Property.h"
 
@@ -101,5 +99,3 @@ std::string fault_of_face(const std::int64_t* begin, const std::int64_t* end, st
 void append_face(Polygons& polygons, const std::int64_t* begin, const std::int64_t* end);
 
 }  // namespace conformal
-
-#endif

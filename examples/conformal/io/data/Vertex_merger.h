@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_IO_DATA_VERTEX_MERGER_H
-#define CONFORMAL_IO_DATA_VERTEX_MERGER_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "Surface_file.h"
 
@@ -40,5 +38,3 @@ class Vertex_merger {
 };
 
 }  // namespace conformal
-
-#endif

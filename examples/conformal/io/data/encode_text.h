@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_IO_DATA_ENCODE_TEXT_H
-#define CONFORMAL_IO_DATA_ENCODE_TEXT_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "Surface_file.h"
 
@@ -29,5 +27,3 @@ void note_lost_properties(const Element& element, const std::vector<std::string_
                           std::vector<std::string>& notes);
 
 }  // namespace conformal
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_IO_DATA_SELECT_ROWS_H
-#define CONFORMAL_IO_DATA_SELECT_ROWS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "Property.h"
 
@@ -29,5 +27,3 @@ inline Element selected_rows(const Element& element, const std::vector<int>& row
 }
 
 }  // namespace conformal
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_IO_DATA_TEXTURE_COORDINATES_H
-#define CONFORMAL_IO_DATA_TEXTURE_COORDINATES_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "Surface_file.h"
 
@@ -31,5 +29,3 @@ std::optional<std::vector<std::array<double, 3>>> vertex_values(const Surface_fi
                                                                 const Corner_values& values);
 
 }  // namespace conformal
-
-#endif

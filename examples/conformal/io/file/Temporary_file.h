@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_IO_FILE_TEMPORARY_FILE_H
-#define CONFORMAL_IO_FILE_TEMPORARY_FILE_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <sys/stat.h>
 
@@ -73,5 +71,3 @@ void remove_temporary_files() noexcept;
 void write_file(const std::string& path, std::string_view bytes);
 
 }  // namespace conformal
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_IO_FILE_TEXT_SCANNER_H
-#define CONFORMAL_IO_FILE_TEXT_SCANNER_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <cstddef>
 #include <cstdint>
@@ -70,5 +68,3 @@ class Text_scanner {
 };
 
 }  // namespace conformal
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_IO_FILE_BASE64_H
-#define CONFORMAL_IO_FILE_BASE64_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <string>
 #include <string_view>
@@ -12,5 +10,3 @@ namespace conformal {
 std::string base64(std::string_view bytes);
 
 }  // namespace conformal
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_IO_FILE_CHECKED_BYTES_H
-#define CONFORMAL_IO_FILE_CHECKED_BYTES_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <string>
 #include <string_view>
@@ -25,5 +23,3 @@ std::string_view first_word(std::string_view text);
 std::string_view checked_bytes(std::string_view bytes, const std::string& path);
 
 }  // namespace conformal
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_IO_FILE_IO_ERRORS_H
-#define CONFORMAL_IO_FILE_IO_ERRORS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <cstddef>
 #include <stdexcept>
@@ -33,5 +31,3 @@ class Write_error : public std::runtime_error {
 };
 
 }  // namespace conformal
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_IO_FILE_LITTLE_ENDIAN_H
-#define CONFORMAL_IO_FILE_LITTLE_ENDIAN_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <algorithm>
 #include <array>
@@ -45,5 +43,3 @@ void append_little_endian(std::string& bytes, Number number)
 }
 
 }  // namespace conformal
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_IO_FILE_NUMBER_ROWS_H
-#define CONFORMAL_IO_FILE_NUMBER_ROWS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <cstddef>
 #include <string>
@@ -23,5 +21,3 @@ struct Number_row {
 std::vector<Number_row> number_rows(std::string_view text, const std::string& path);
 
 }  // namespace conformal
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_IO_FILE_NUMBERS_H
-#define CONFORMAL_IO_FILE_NUMBERS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <cstdint>
 #include <optional>
@@ -32,5 +30,3 @@ void append_number(std::string& text, std::int64_t value);
 std::string in_quotes(std::string_view word);
 
 }  // namespace conformal
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_IO_FILE_READ_BYTES_H
-#define CONFORMAL_IO_FILE_READ_BYTES_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <cstddef>
 #include <string>
@@ -17,5 +15,3 @@ constexpr std::size_t maximum_file_size = std::size_t{1} << 34;
 std::string read_bytes(const std::string& path, const std::string& wanted = "a mesh file");
 
 }  // namespace conformal
-
-#endif

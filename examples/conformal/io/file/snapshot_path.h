@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_IO_FILE_SNAPSHOT_PATH_H
-#define CONFORMAL_IO_FILE_SNAPSHOT_PATH_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <string>
 
@@ -12,5 +10,3 @@ namespace conformal {
 std::string snapshot_path(const std::string& output, int step);
 
 }  // namespace conformal
-
-#endif

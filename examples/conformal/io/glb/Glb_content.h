@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_IO_GLB_GLB_CONTENT_H
-#define CONFORMAL_IO_GLB_GLB_CONTENT_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <nlohmann/json.hpp>
 
@@ -36,5 +34,3 @@ class Glb_content {
 };
 
 }  // namespace conformal
-
-#endif

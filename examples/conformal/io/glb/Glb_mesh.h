@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_IO_GLB_GLB_MESH_H
-#define CONFORMAL_IO_GLB_GLB_MESH_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "conformal/io/data/Surface_file.h"
 
@@ -25,5 +23,3 @@ struct Glb_mesh {
 Glb_mesh glb_mesh(const Surface_file& file);
 
 }  // namespace conformal
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_IO_GLB_CHECKERBOARD_H
-#define CONFORMAL_IO_GLB_CHECKERBOARD_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <cstddef>
 #include <string>
@@ -13,5 +11,3 @@ namespace conformal {
 std::string checkerboard_png(std::size_t squares, std::size_t size);
 
 }  // namespace conformal
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_IO_GLB_WRITE_GLB_H
-#define CONFORMAL_IO_GLB_WRITE_GLB_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "conformal/io/data/Surface_file.h"
 
@@ -22,5 +20,3 @@ std::string encode_glb(const Surface_file& file, const std::string& path,
                        std::vector<std::string>& notes);
 
 }  // namespace conformal
-
-#endif

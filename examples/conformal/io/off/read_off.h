@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_IO_OFF_READ_OFF_H
-#define CONFORMAL_IO_OFF_READ_OFF_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "conformal/io/data/Surface_file.h"
 
@@ -27,5 +25,3 @@ Surface_file parse_off(std::string_view bytes, const std::string& path,
 std::size_t length_of_off_keyword(std::string_view text);
 
 }  // namespace conformal
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_IO_OFF_WRITE_OFF_H
-#define CONFORMAL_IO_OFF_WRITE_OFF_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "conformal/io/data/Surface_file.h"
 
@@ -17,5 +15,3 @@ namespace conformal {
 std::string encode_off(const Surface_file& file, std::vector<std::string>& notes);
 
 }  // namespace conformal
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_IO_PICTURE_PICTURE_H
-#define CONFORMAL_IO_PICTURE_PICTURE_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <algorithm>
 #include <cstddef>
@@ -49,5 +47,3 @@ class Picture {
 };
 
 }  // namespace conformal
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_IO_PICTURE_READ_PNM_H
-#define CONFORMAL_IO_PICTURE_READ_PNM_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "Picture.h"
 
@@ -12,5 +10,3 @@ namespace conformal {
 Picture parse_pnm(std::string_view bytes, const std::string& path);
 
 }  // namespace conformal
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_IO_PLY_PLY_BODY_H
-#define CONFORMAL_IO_PLY_PLY_BODY_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "Ply_header.h"
 
@@ -27,5 +25,3 @@ std::vector<Ply_element> parse_ply_body(std::string_view bytes, const std::strin
                                         const Ply_header& header, std::vector<std::string>& notes);
 
 }  // namespace conformal
-
-#endif

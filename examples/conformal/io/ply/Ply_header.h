@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_IO_PLY_PLY_HEADER_H
-#define CONFORMAL_IO_PLY_PLY_HEADER_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "conformal/io/data/Property.h"
 
@@ -28,5 +26,3 @@ struct Ply_header {
 Ply_header parse_ply_header(std::string_view bytes, const std::string& path);
 
 }  // namespace conformal
-
-#endif

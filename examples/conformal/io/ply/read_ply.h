@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_IO_PLY_READ_PLY_H
-#define CONFORMAL_IO_PLY_READ_PLY_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "conformal/io/data/Surface_file.h"
 
@@ -20,5 +18,3 @@ Surface_file parse_ply(std::string_view bytes, const std::string& path,
                        Bad_faces bad_faces = Bad_faces::refused);
 
 }  // namespace conformal
-
-#endif

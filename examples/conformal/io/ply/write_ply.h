@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_IO_PLY_WRITE_PLY_H
-#define CONFORMAL_IO_PLY_WRITE_PLY_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "Ply_header.h"
 
@@ -23,5 +21,3 @@ std::string encode_ply(const Surface_file& file, Ply_encoding encoding,
                        std::vector<std::string>& notes);
 
 }  // namespace conformal
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_IO_STL_READ_STL_H
-#define CONFORMAL_IO_STL_READ_STL_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "conformal/io/data/Surface_file.h"
 
@@ -24,5 +22,3 @@ Surface_file parse_stl(std::string_view bytes, const std::string& path,
 bool is_binary_stl(std::string_view bytes);
 
 }  // namespace conformal
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_IO_SVG_READ_SVG_H
-#define CONFORMAL_IO_SVG_READ_SVG_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "conformal/io/data/Plane_curve.h"
 
@@ -18,5 +16,3 @@ std::vector<Plane_curve> parse_svg(std::string_view bytes, const std::string& pa
                                    const Curve_reading& reading, std::vector<std::string>& notes);
 
 }  // namespace conformal
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_IO_SVG_SVG_ARC_H
-#define CONFORMAL_IO_SVG_SVG_ARC_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Eigen/Core>
 
@@ -23,5 +21,3 @@ struct Svg_arc {
 std::vector<Eigen::Vector2d> sample(const Svg_arc& arc, int samples);
 
 }  // namespace conformal
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_IO_SVG_SVG_PATH_H
-#define CONFORMAL_IO_SVG_SVG_PATH_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "conformal/io/data/Plane_curve.h"
 
@@ -25,5 +23,3 @@ std::vector<Eigen::Vector2d> parse_svg_points(std::string_view text, const Svg_f
 std::vector<Plane_curve> parse_svg_path(std::string_view text, int samples, const Svg_fault& fault);
 
 }  // namespace conformal
-
-#endif

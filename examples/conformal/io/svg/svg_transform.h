@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_IO_SVG_SVG_TRANSFORM_H
-#define CONFORMAL_IO_SVG_SVG_TRANSFORM_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include "svg_path.h"
 
@@ -16,5 +14,3 @@ namespace conformal {
 Eigen::Affine2d parse_svg_transform(std::string_view text, const Svg_fault& fault);
 
 }  // namespace conformal
-
-#endif

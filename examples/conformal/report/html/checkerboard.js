@@ -1,5 +1,4 @@
-/* Copyright (c) 2026 The Conformal Geometry Processing authors
-   SPDX-License-Identifier: LGPL-3.0-or-later */
+/* Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later */
 
 // How large the squares are. Conformal maps to the plane stretch much where a surface bulges, so
 // there squares are cut into 4 x 4, or so many made one: they stay squares, of half to

@@ -1,5 +1,4 @@
-# Copyright (c) 2026 The Conformal Geometry Processing authors
-# SPDX-License-Identifier: LGPL-3.0-or-later
+# Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 # What the pages of the program have in common: parts of a page that are put into a template, and the
 # C++ that holds the result.
 

@@ -1,5 +1,4 @@
-/* Copyright (c) 2026 The Conformal Geometry Processing authors
-   SPDX-License-Identifier: LGPL-3.0-or-later */
+/* Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later */
 
 // Both shapes on one canvas, seen by the same camera. An exhibit has `faces`, the points `before` and
 // `after`, `squares` (2 numbers a corner), and of each face `quality` and `scales`; `rho` of each

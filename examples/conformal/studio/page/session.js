@@ -1,5 +1,4 @@
-/* Copyright (c) 2026 The Conformal Geometry Processing authors
-   SPDX-License-Identifier: LGPL-3.0-or-later */
+/* Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later */
 
 // One shape while it is edited: its states, and who computes them. A state has the points `base`, the
 // `steps` that led there, and one step from there on: either `rho`, times `amplitude`, or `targets`, a

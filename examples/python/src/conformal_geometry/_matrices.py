@@ -1,5 +1,4 @@
-# Copyright (c) 2026 The Conformal Geometry Processing authors
-# SPDX-License-Identifier: LGPL-3.0-or-later
+# Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 """The operators of the thesis as sparse matrices of SciPy, and a few measures.
 
 A quaternionic matrix is a real one with blocks of 4 x 4 numbers, for left multiplication: it acts

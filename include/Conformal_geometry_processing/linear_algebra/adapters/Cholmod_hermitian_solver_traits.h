@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_ADAPTERS_CHOLMOD_HERMITIAN_SOLVER_TRAITS_H
-#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_ADAPTERS_CHOLMOD_HERMITIAN_SOLVER_TRAITS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/linear_algebra/adapters/Embedded_hermitian_solver.h>
 
@@ -167,5 +165,3 @@ struct Cholmod_real_hermitian_solver_traits {
 }  // namespace internal
 
 }  // namespace Conformal_geometry_processing
-
-#endif

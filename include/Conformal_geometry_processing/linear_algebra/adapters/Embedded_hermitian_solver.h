@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_ADAPTERS_EMBEDDED_HERMITIAN_SOLVER_H
-#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_ADAPTERS_EMBEDDED_HERMITIAN_SOLVER_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
 #include <Conformal_geometry_processing/linear_algebra/adapters/Embedded_matrix.h>
@@ -158,5 +156,3 @@ class Embedded_hermitian_solver {
 };
 
 }  // namespace Conformal_geometry_processing
-
-#endif

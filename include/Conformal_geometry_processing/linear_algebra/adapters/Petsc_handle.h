@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_ADAPTERS_PETSC_HANDLE_H
-#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_ADAPTERS_PETSC_HANDLE_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/exceptions.h>
 
@@ -88,5 +86,3 @@ using Petsc_pc = Petsc_handle<PC, PCDestroy>;
 using Petsc_ksp = Petsc_handle<KSP, KSPDestroy>;
 
 }  // namespace Conformal_geometry_processing::internal
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_ADAPTERS_PETSC_MULTIGRID_H
-#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_ADAPTERS_PETSC_MULTIGRID_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/linear_algebra/adapters/Petsc_handle.h>
 #include <Conformal_geometry_processing/linear_algebra/dense/Solver_status.h>
@@ -106,5 +104,3 @@ class Petsc_multigrid {
 };
 
 }  // namespace Conformal_geometry_processing::internal
-
-#endif

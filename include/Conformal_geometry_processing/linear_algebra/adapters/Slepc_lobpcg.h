@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_ADAPTERS_SLEPC_LOBPCG_H
-#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_ADAPTERS_SLEPC_LOBPCG_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/linear_algebra/adapters/Petsc_matrix.h>
 #include <Conformal_geometry_processing/linear_algebra/dense/block_products.h>
@@ -198,5 +196,3 @@ class Slepc_lobpcg {
 };
 
 }  // namespace Conformal_geometry_processing::internal
-
-#endif

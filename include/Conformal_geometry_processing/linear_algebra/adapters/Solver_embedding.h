@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_ADAPTERS_SOLVER_EMBEDDING_H
-#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_ADAPTERS_SOLVER_EMBEDDING_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/algebra/Quaternion.h>
 #include <Conformal_geometry_processing/algebra/quaternion_blocks.h>
@@ -10,9 +8,7 @@
 
 #include <complex>
 
-namespace Conformal_geometry_processing {
-
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgLinearAlgebra
 /// \brief Represents a scalar as a `width` x `width` matrix of entries that other libraries
@@ -80,8 +76,4 @@ struct Real_embedding<Quaternion<FT>> {
   }
 };
 
-}  // namespace internal
-
-}  // namespace Conformal_geometry_processing
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

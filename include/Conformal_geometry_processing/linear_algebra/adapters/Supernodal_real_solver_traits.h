@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_ADAPTERS_SUPERNODAL_REAL_SOLVER_TRAITS_H
-#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_ADAPTERS_SUPERNODAL_REAL_SOLVER_TRAITS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/linear_algebra/adapters/Embedded_hermitian_solver.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Ordering.h>
@@ -11,9 +9,7 @@
 #include <numeric>
 #include <utility>
 
-namespace Conformal_geometry_processing {
-
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgLinearAlgebra
 /// \brief The library's own factorization of numbers, as a backend of `Embedded_hermitian_solver`.
@@ -70,8 +66,4 @@ struct Supernodal_real_solver_traits {
   using Solver = Embedded_hermitian_solver<Scalar, Supernodal_backend, Real_embedding>;
 };
 
-}  // namespace internal
-
-}  // namespace Conformal_geometry_processing
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DENSE_SOLVER_STATUS_H
-#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DENSE_SOLVER_STATUS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <cstdint>
 #include <new>
@@ -63,5 +61,3 @@ Solver_status guarded(const Action& action)
 }  // namespace internal
 
 }  // namespace Conformal_geometry_processing
-
-#endif

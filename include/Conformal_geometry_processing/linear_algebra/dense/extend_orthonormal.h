@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DENSE_EXTEND_ORTHONORMAL_H
-#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DENSE_EXTEND_ORTHONORMAL_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
 #include <Conformal_geometry_processing/linear_algebra/dense/block_products.h>
@@ -36,5 +34,3 @@ bool extend_orthonormal(Block<Quaternion<FT>>& V, const Vector<FT>& weights,
 }
 
 }  // namespace Conformal_geometry_processing
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DENSE_HERMITIAN_JACOBI_H
-#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DENSE_HERMITIAN_JACOBI_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
 #include <Conformal_geometry_processing/algebra/scalar.h>
@@ -125,5 +123,3 @@ internal::Hermitian_eigen_decomposition<Scalar> hermitian_jacobi(Block<Scalar> A
 }
 
 }  // namespace Conformal_geometry_processing
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DENSE_WEIGHTED_ORTHONORMALIZATION_H
-#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DENSE_WEIGHTED_ORTHONORMALIZATION_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Eigen/Core>
 
@@ -46,9 +44,3 @@ Eigen::VectorXd project_out(const Eigen::MatrixXd& basis, const Eigen::VectorXd&
                             Eigen::VectorXd v);
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/linear_algebra/dense/weighted_orthonormalization_impl.h>
-#endif
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_DEFAULT_SOLVER_TRAITS_H
-#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_DEFAULT_SOLVER_TRAITS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/linear_algebra/direct/Supernodal_cholesky.h>
 
@@ -13,5 +11,3 @@ namespace Conformal_geometry_processing {
 using Default_solver_traits = Supernodal_solver_traits;
 
 }  // namespace Conformal_geometry_processing
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_DENSE_CHOLESKY_H
-#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_DENSE_CHOLESKY_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/linear_algebra/direct/Aligned_array.h>
 #include <Conformal_geometry_processing/linear_algebra/vector_units/Vector_unit.h>
@@ -11,9 +9,7 @@
 #include <algorithm>
 #include <cstdint>
 
-namespace Conformal_geometry_processing {
-
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgLinearAlgebra
 /// \brief Factors A = L L^T for a dense symmetric positive definite matrix of real numbers, in
@@ -108,8 +104,4 @@ class Dense_cholesky {
   Aligned_array<double> m_panel;
 };
 
-}  // namespace internal
-
-}  // namespace Conformal_geometry_processing
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_SOLVER_REF_H
-#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_SOLVER_REF_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
 #include <Conformal_geometry_processing/linear_algebra/dense/Solver_status.h>
@@ -107,15 +105,9 @@ class Solver_model final : public Typed_solver_interface<Scalar> {
   typename SolverTraits::template Solver<Scalar> solver;
 };
 
-// Compiled in the library.
+// Compiled in the library, for `double`, `std::complex<double>` and `Quaternion<double>`.
 template <class Scalar>
 Solver_pointer<Scalar> make_default_solver();
-template <>
-Solver_pointer<double> make_default_solver();
-template <>
-Solver_pointer<std::complex<double>> make_default_solver();
-template <>
-Solver_pointer<Quaternion<double>> make_default_solver();
 
 template <class SolverTraits, class Scalar>
 Solver_pointer<Scalar> make_solver()
@@ -231,9 +223,3 @@ using Spin_solvers = internal::Solver_traits_ref<double, Quaternion<double>>;
 using Map_solvers = internal::Solver_traits_ref<double, std::complex<double>>;
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/linear_algebra/direct/Solver_ref_impl.h>
-#endif
-
-#endif

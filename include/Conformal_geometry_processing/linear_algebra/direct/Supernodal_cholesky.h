@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_SUPERNODAL_CHOLESKY_H
-#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_SUPERNODAL_CHOLESKY_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
 #include <Conformal_geometry_processing/linear_algebra/dense/Solver_status.h>
@@ -38,8 +36,7 @@ class Supernodal_factor;
 /// precision, with half of the memory and two thirds of the time, where that suffices.
 ///
 /// \tparam Scalar_ `double`, `std::complex<double>`, `Quaternion<double>`, or of `float`. The
-/// compiled library contains those listed in Supernodal_instances.h; for other ones include
-/// Supernodal_cholesky_templates.h.
+/// compiled library contains those listed in Supernodal_instances.h.
 /// \cgalModels{SparseHermitianSolver}
 template <class Scalar_>
 class Supernodal_cholesky {
@@ -142,12 +139,6 @@ class Supernodal_cholesky {
   int m_bad_vertex = -1;
 };
 
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#define CGP_DECLARE(Scalar) extern template class Supernodal_cholesky<Scalar>;
-CGP_FOR_SUPERNODAL_SCALARS(CGP_DECLARE)
-#undef CGP_DECLARE
-#endif
-
 /// \ingroup PkgLinearAlgebra
 /// \brief The library's own solvers, for real and quaternionic matrices.
 /// \cgalModels{SparseHermitianSolverTraits}
@@ -157,9 +148,3 @@ struct Supernodal_solver_traits {
 };
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/linear_algebra/direct/Supernodal_cholesky_templates.h>
-#endif
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_SUPERNODAL_FACTOR_H
-#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_SUPERNODAL_FACTOR_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Aligned_array.h>
@@ -14,9 +12,7 @@
 #include <memory>
 #include <vector>
 
-namespace Conformal_geometry_processing {
-
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgLinearAlgebra
 /// \brief The numerical part of a supernodal Cholesky factor L L^H, computed by the multifrontal
@@ -32,8 +28,7 @@ namespace internal {
 /// determine the layout of the numbers.
 ///
 /// \tparam Scalar a real, complex or quaternion type \tparam Real the numbers stored. The compiled
-/// library contains the combinations listed in Supernodal_instances.h; for other ones include
-/// Supernodal_factor_templates.h.
+/// library contains the combinations listed in Supernodal_instances.h.
 template <class Scalar, class Real>
 class Supernodal_factor {
  public:
@@ -108,18 +103,4 @@ class Supernodal_factor {
   Aligned_array<Real> m_panels, m_updates;
 };
 
-}  // namespace internal
-
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#define CGP_DECLARE(Scalar, Real) extern template class internal::Supernodal_factor<Scalar, Real>;
-CGP_FOR_SUPERNODAL_INSTANCES(CGP_DECLARE)
-#undef CGP_DECLARE
-#endif
-
-}  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/linear_algebra/direct/Supernodal_factor_templates.h>
-#endif
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

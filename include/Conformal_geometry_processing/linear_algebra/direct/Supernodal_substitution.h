@@ -1,15 +1,11 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_SUPERNODAL_SUBSTITUTION_H
-#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_SUPERNODAL_SUBSTITUTION_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/algebra/scalar.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Supernodal_factor.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/elimination_tree.h>
 
-namespace Conformal_geometry_processing {
-
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgLinearAlgebra
 /// \brief Solves L L^H x = b for right-hand sides with four or eight numbers per row: four or eight
@@ -65,24 +61,4 @@ class Supernodal_substitution {
   Aligned_array<Real> m_updates;
 };
 
-}  // namespace internal
-
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#define CGP_DECLARE(Scalar, Real)                                           \
-  extern template class internal::Supernodal_substitution<Scalar, Real, 4>; \
-  extern template class internal::Supernodal_substitution<Scalar, Real, 8>;
-CGP_FOR_SUPERNODAL_INSTANCES(CGP_DECLARE)
-#undef CGP_DECLARE
-#define CGP_DECLARE(Scalar, Real) \
-  extern template class internal::Supernodal_substitution<Scalar, Real, 1>;
-CGP_FOR_REAL_SUPERNODAL_INSTANCES(CGP_DECLARE)
-#undef CGP_DECLARE
-#endif
-
-}  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/linear_algebra/direct/Supernodal_substitution_templates.h>
-#endif
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

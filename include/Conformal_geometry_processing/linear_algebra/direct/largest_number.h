@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_LARGEST_NUMBER_H
-#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_LARGEST_NUMBER_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
 #include <Conformal_geometry_processing/algebra/scalar.h>
@@ -13,9 +11,7 @@
 #include <cstddef>
 #include <limits>
 
-namespace Conformal_geometry_processing {
-
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// The largest of absolute values, in `sum_of_ranges()`; NaN is larger than all others
 template <class FT>
@@ -78,8 +74,4 @@ bool is_finite(const Aligned_array<Real>& numbers)
   return std::isfinite(largest_of<Real>(numbers.size(), value));
 }
 
-}  // namespace internal
-
-}  // namespace Conformal_geometry_processing
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

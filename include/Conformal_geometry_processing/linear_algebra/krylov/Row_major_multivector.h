@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_KRYLOV_ROW_MAJOR_MULTIVECTOR_H
-#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_KRYLOV_ROW_MAJOR_MULTIVECTOR_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/linear_algebra/dense/block_products.h>
 #include <Conformal_geometry_processing/threads/parallel_loops.h>
@@ -11,9 +9,7 @@
 #include <algorithm>
 #include <cstddef>
 
-namespace Conformal_geometry_processing {
-
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgLinearAlgebra
 /// \brief Many quaternionic vectors of n entries, stored row by row, so that inner products and
@@ -94,12 +90,4 @@ class Row_major_multivector {
   Eigen::Index m_size = 0;
 };
 
-}  // namespace internal
-
-}  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/linear_algebra/krylov/Row_major_multivector_impl.h>
-#endif
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

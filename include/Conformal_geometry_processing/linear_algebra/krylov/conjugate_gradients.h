@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_KRYLOV_CONJUGATE_GRADIENTS_H
-#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_KRYLOV_CONJUGATE_GRADIENTS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
 #include <Conformal_geometry_processing/algebra/scalar.h>
@@ -166,5 +164,3 @@ conjugate_gradients(const K& apply_k, const T& precondition, const Block<Scalar>
 }
 
 }  // namespace Conformal_geometry_processing
-
-#endif

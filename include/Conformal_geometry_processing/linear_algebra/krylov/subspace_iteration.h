@@ -1,17 +1,11 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_KRYLOV_SUBSPACE_ITERATION_H
-#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_KRYLOV_SUBSPACE_ITERATION_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
 #include <Conformal_geometry_processing/linear_algebra/dense/Solver_status.h>
-#include <Conformal_geometry_processing/linear_algebra/dense/hermitian_eigen_decomposition.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Solver_ref.h>
 #include <Conformal_geometry_processing/linear_algebra/krylov/Centered_mass.h>
-#include <Conformal_geometry_processing/threads/Thread_team.h>
 
-#include <Eigen/Core>
-
-#include <algorithm>
 #include <cmath>
 
 namespace Conformal_geometry_processing {
@@ -55,47 +49,10 @@ struct Subspace_result {
 /// change the eigenvectors.
 /// \param x initial vectors, one per column
 /// \throw Solver_error if a solution is not finite
-template <class Solver, class Scalar>
-internal::Subspace_result<Scalar> subspace_iteration(const Hermitian_sparse_matrix<Scalar>& A,
-                                                     const internal::Centered_mass<Scalar>& B,
-                                                     double shift, const Solver& solver,
-                                                     Block<Scalar> x,
-                                                     const internal::Subspace_options& options = {})
-{
-  const internal::Thread_team team;
-  internal::Subspace_result<Scalar> result;
-  B.orthonormalize(x);
-  while (result.iterations < options.maximum_number_of_iterations && !result.converged) {
-    const Block<Scalar> b = B * x;
-    Block<Scalar> y;
-    result.status = solver.solve(b, y);
-    if (result.status != Solver_status::success) return result;
-    const Block<Scalar> H = b.adjoint() * y;
-    const auto ritz = hermitian_eigen_decomposition<Scalar>((H + H.adjoint()) / Scalar(2));
-    const auto inverses = ritz.values.reverse();
-    const Block<Scalar> turn = ritz.vectors.rowwise().reverse();
-    if (!(inverses[0] > 0)) {
-      result.status = Solver_status::numerical_issue;
-      return result;
-    }
-    const double mu = 1 / inverses[0];
-    const Vector<Scalar> v = x * turn.col(0), correction = mu * (y * turn.col(0)) - v;
-    const Vector<Scalar> defect =
-        mu * (b * turn.col(0)) - A * v - Scalar(shift) * B.weights().cwiseProduct(v);
-    // |correction|^2 in the norm of A + shift D, relative to that of v
-    const double error = internal::Scalar_traits<Scalar>::real(correction.dot(defect)) / mu;
-    x = y * turn;
-    B.orthonormalize(x);
-    ++result.iterations;
-    result.vector = x.col(0);
-    result.eigenvalue = mu - shift;
-    result.next_eigenvalue = inverses.size() > 1 ? 1 / inverses[1] - shift : HUGE_VAL;
-    result.residual = std::sqrt((std::max)(0., error));
-    result.converged = result.residual <= options.tolerance;
-  }
-  return result;
-}
+template <class Scalar>
+internal::Subspace_result<Scalar> subspace_iteration(
+    const Hermitian_sparse_matrix<Scalar>& A, const internal::Centered_mass<Scalar>& B,
+    double shift, const internal::Solver_ref<Scalar>& solver, Block<Scalar> x,
+    const internal::Subspace_options& options = {});
 
 }  // namespace Conformal_geometry_processing
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_MULTIGRID_MULTIGRID_CYCLE_H
-#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_MULTIGRID_MULTIGRID_CYCLE_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/algebra/scalar.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Supernodal_cholesky.h>
@@ -13,9 +11,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace Conformal_geometry_processing {
-
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgLinearAlgebra
 /// \brief Parameters of a multigrid hierarchy.
@@ -123,12 +119,4 @@ class Multigrid_cycle {
   Aligned_array<float> m_coarse;  // likewise, with four numbers per vertex
 };
 
-}  // namespace internal
-
-}  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/linear_algebra/multigrid/Multigrid_cycle_templates.h>
-#endif
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_MULTIGRID_MULTIGRID_LEVEL_H
-#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_MULTIGRID_MULTIGRID_LEVEL_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Aligned_array.h>
@@ -11,9 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace Conformal_geometry_processing {
-
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgLinearAlgebra
 /// \brief One level of a multigrid hierarchy: a matrix A, the prolongation from the next coarser
@@ -97,12 +93,4 @@ class Multigrid_level {
   Aligned_array<float> m_vectors;  // 4 + 4 numbers per vertex
 };
 
-}  // namespace internal
-
-}  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/linear_algebra/multigrid/Multigrid_level_templates.h>
-#endif
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

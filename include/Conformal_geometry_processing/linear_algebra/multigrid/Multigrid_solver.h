@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_MULTIGRID_MULTIGRID_SOLVER_H
-#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_MULTIGRID_MULTIGRID_SOLVER_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/linear_algebra/multigrid/Multigrid_cycle.h>
 #include <Conformal_geometry_processing/linear_algebra/multigrid/Rounding_remainder.h>
@@ -121,7 +119,7 @@ class Multigrid_solver {
 }  // namespace internal
 
 /// \ingroup PkgLinearAlgebra
-/// \brief Multigrid for real and quaternionic matrices; header-only.
+/// \brief Multigrid for real and quaternionic matrices.
 /// \cgalModels{SparseHermitianSolverTraits}
 struct Multigrid_solver_traits {
   template <class Scalar>
@@ -129,9 +127,3 @@ struct Multigrid_solver_traits {
 };
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/linear_algebra/multigrid/Multigrid_solver_templates.h>
-#endif
-
-#endif

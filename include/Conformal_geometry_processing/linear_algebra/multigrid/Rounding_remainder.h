@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_MULTIGRID_ROUNDING_REMAINDER_H
-#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_MULTIGRID_ROUNDING_REMAINDER_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
 
@@ -10,9 +8,7 @@
 #include <cmath>
 #include <type_traits>
 
-namespace Conformal_geometry_processing {
-
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 float to_single(double s);
 Quaternion<float> to_single(const Quaternion<double>& s);
@@ -94,12 +90,4 @@ class Rounding_remainder {
   bool m_is_finite = true;
 };
 
-}  // namespace internal
-
-}  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/linear_algebra/multigrid/Rounding_remainder_impl.h>
-#endif
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_REDUCED_REAL_REDUCED_SOLVER_H
-#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_REDUCED_REAL_REDUCED_SOLVER_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
 #include <Conformal_geometry_processing/algebra/Reduced_basis.h>
@@ -10,9 +8,7 @@
 
 #include <utility>
 
-namespace Conformal_geometry_processing {
-
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgLinearAlgebra
 /// \brief Solves with R = B^T (X + diag(shift)) B as a sparse real matrix, with a solver for real
@@ -46,12 +42,4 @@ class Real_reduced_solver {
   bool m_is_factorized = false;
 };
 
-}  // namespace internal
-
-}  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/linear_algebra/reduced/Real_reduced_solver_impl.h>
-#endif
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

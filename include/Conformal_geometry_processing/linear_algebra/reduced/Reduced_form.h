@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_REDUCED_REDUCED_FORM_H
-#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_REDUCED_REDUCED_FORM_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/algebra/Reduced_rows.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/choose_ordering.h>
@@ -70,9 +68,3 @@ internal::Reduced_form choose_reduced_form(const Sparse_pattern& pattern,
                                            const internal::Ordering_costs& costs = {});
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/linear_algebra/reduced/Reduced_form_impl.h>
-#endif
-
-#endif

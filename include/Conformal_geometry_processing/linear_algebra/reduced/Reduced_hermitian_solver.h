@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_REDUCED_REDUCED_HERMITIAN_SOLVER_H
-#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_REDUCED_REDUCED_HERMITIAN_SOLVER_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/linear_algebra/reduced/Real_reduced_solver.h>
 #include <Conformal_geometry_processing/linear_algebra/reduced/Reduced_form.h>
@@ -11,9 +9,7 @@
 
 #include <variant>
 
-namespace Conformal_geometry_processing {
-
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgLinearAlgebra
 /// \brief Solves systems with the real symmetric matrix R = B^T (X + diag(shift)) B, where X is
@@ -78,12 +74,4 @@ class Reduced_hermitian_solver {
   std::variant<Schur_reduced_solver, Real_reduced_solver> m_solver;
 };
 
-}  // namespace internal
-
-}  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/linear_algebra/reduced/Reduced_hermitian_solver_impl.h>
-#endif
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

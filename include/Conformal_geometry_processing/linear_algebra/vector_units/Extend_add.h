@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_VECTOR_UNITS_EXTEND_ADD_H
-#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_VECTOR_UNITS_EXTEND_ADD_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/linear_algebra/vector_units/Front_kernels.h>
 #include <Conformal_geometry_processing/linear_algebra/vector_units/Simd_lanes.h>
@@ -9,9 +7,7 @@
 
 #include <cstdint>
 
-namespace Conformal_geometry_processing {
-
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgLinearAlgebra
 /// \brief Extend-add operation: adds the update of a child to the front of its parent. Some columns
@@ -112,8 +108,4 @@ class Extend_add {
   }
 };
 
-}  // namespace internal
-
-}  // namespace Conformal_geometry_processing
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

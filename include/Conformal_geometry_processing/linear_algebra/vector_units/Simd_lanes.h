@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_VECTOR_UNITS_SIMD_LANES_H
-#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_VECTOR_UNITS_SIMD_LANES_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/linear_algebra/vector_units/Lane_array.h>
 #include <Conformal_geometry_processing/linear_algebra/vector_units/Panel_layout.h>
@@ -129,5 +127,3 @@ CGP_ALWAYS_INLINE void sum_lanes(typename internal::Simd_lanes<Unit, Real>::Regi
 }
 
 }  // namespace Conformal_geometry_processing
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_VECTOR_UNITS_VECTOR_UNIT_H
-#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_VECTOR_UNITS_VECTOR_UNIT_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/linear_algebra/vector_units/Front_kernels.h>
 #include <Conformal_geometry_processing/linear_algebra/vector_units/unit_tags.h>
@@ -40,15 +38,4 @@ bool set_vector_unit(internal::Vector_unit unit);
 template <class Real>
 internal::Front_kernels<Real> kernels_for(int planes, internal::Vector_unit unit = vector_unit());
 
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-extern template internal::Front_kernels<double> kernels_for<double>(int, internal::Vector_unit);
-extern template internal::Front_kernels<float> kernels_for<float>(int, internal::Vector_unit);
-#endif
-
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/linear_algebra/vector_units/Vector_unit_impl.h>
-#endif
-
-#endif

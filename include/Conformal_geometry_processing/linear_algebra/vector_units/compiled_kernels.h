@@ -1,13 +1,10 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_VECTOR_UNITS_COMPILED_KERNELS_H
-#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_VECTOR_UNITS_COMPILED_KERNELS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/linear_algebra/vector_units/Front_kernels.h>
 #include <Conformal_geometry_processing/linear_algebra/vector_units/unit_tags.h>
 
-namespace Conformal_geometry_processing {
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 // The kernels of the compiled library for units other than the baseline. Not templates, because
 // only the file that is compiled for a unit may instantiate them.
@@ -16,7 +13,4 @@ Front_kernels<float> compiled_kernels(Avx2_unit, float, int planes);
 Front_kernels<double> compiled_kernels(Avx512_unit, double, int planes);
 Front_kernels<float> compiled_kernels(Avx512_unit, float, int planes);
 
-}  // namespace internal
-}  // namespace Conformal_geometry_processing
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

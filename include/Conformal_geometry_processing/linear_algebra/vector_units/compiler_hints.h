@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_VECTOR_UNITS_COMPILER_HINTS_H
-#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_VECTOR_UNITS_COMPILER_HINTS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 // Compiler-specific hints for the dense kernels. This file, and all that a kernel includes, must
 // not define functions that could be called from a file compiled for another vector unit: the
@@ -29,6 +27,4 @@
 #endif
 #define CGP_UNROLL(count)
 #define CGP_PREFETCH(address) static_cast<void>(address)
-#endif
-
 #endif

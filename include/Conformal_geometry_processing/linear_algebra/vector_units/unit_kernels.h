@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_VECTOR_UNITS_UNIT_KERNELS_H
-#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_VECTOR_UNITS_UNIT_KERNELS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/linear_algebra/vector_units/Extend_add.h>
 #include <Conformal_geometry_processing/linear_algebra/vector_units/Panel_kernels.h>
@@ -47,5 +45,3 @@ internal::Front_kernels<Real> unit_kernels(int planes)
 }
 
 }  // namespace Conformal_geometry_processing
-
-#endif

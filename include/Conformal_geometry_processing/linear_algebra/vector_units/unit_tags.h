@@ -1,10 +1,7 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_VECTOR_UNITS_UNIT_TAGS_H
-#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_VECTOR_UNITS_UNIT_TAGS_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
-namespace Conformal_geometry_processing {
-namespace internal {
+namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgLinearAlgebra
 /// \brief The vector units for which the dense kernels of the factorizations are compiled,
@@ -51,17 +48,6 @@ using Target_unit = Avx2_unit;
 #else
 using Target_unit = Baseline_unit;
 #endif
-
-/// The unit of the library if it does not contain several
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-using Library_unit = Target_unit;
-#else
-using Library_unit = Baseline_unit;
-#endif
 /// @}
 
-}  // namespace internal
-
-}  // namespace Conformal_geometry_processing
-
-#endif
+}  // namespace Conformal_geometry_processing::internal

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_OPERATORS_CALCULUS_SURFACE_DERIVATIVE_H
-#define CONFORMAL_GEOMETRY_PROCESSING_OPERATORS_CALCULUS_SURFACE_DERIVATIVE_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/algebra/Quaternionic_sparse_matrix.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
@@ -71,9 +69,3 @@ class Surface_derivative {
 }  // namespace internal
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/operators/calculus/Surface_derivative_impl.h>
-#endif
-
-#endif

@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_OPERATORS_CALCULUS_COVARIANT_DERIVATIVE_H
-#define CONFORMAL_GEOMETRY_PROCESSING_OPERATORS_CALCULUS_COVARIANT_DERIVATIVE_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/operators/calculus/Surface_derivative.h>
 
@@ -23,9 +21,3 @@ Points covariant_derivative(const internal::Surface_derivative& d, const Points&
                             const Points& Y);
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/operators/calculus/covariant_derivative_impl.h>
-#endif
-
-#endif

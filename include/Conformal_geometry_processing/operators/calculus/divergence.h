@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_OPERATORS_CALCULUS_DIVERGENCE_H
-#define CONFORMAL_GEOMETRY_PROCESSING_OPERATORS_CALCULUS_DIVERGENCE_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/operators/calculus/Surface_derivative.h>
 
@@ -15,9 +13,3 @@ namespace Conformal_geometry_processing {
 Eigen::VectorXd divergence(const internal::Surface_derivative& d, const Points& X);
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/operators/calculus/divergence_impl.h>
-#endif
-
-#endif

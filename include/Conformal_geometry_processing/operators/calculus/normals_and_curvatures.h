@@ -1,7 +1,5 @@
-// Copyright (c) 2026 The Conformal Geometry Processing authors
-// SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_OPERATORS_CALCULUS_NORMALS_AND_CURVATURES_H
-#define CONFORMAL_GEOMETRY_PROCESSING_OPERATORS_CALCULUS_NORMALS_AND_CURVATURES_H
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
 
 #include <Conformal_geometry_processing/operators/calculus/Surface_derivative.h>
 
@@ -32,9 +30,3 @@ Eigen::VectorXd dirac_mean_curvature(const internal::Surface_derivative& d, cons
 Eigen::VectorXd dirac_gauss_curvature(const internal::Surface_derivative& d, const Points& normals);
 
 }  // namespace Conformal_geometry_processing
-
-#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/operators/calculus/normals_and_curvatures_impl.h>
-#endif
-
-#endif

@@ -1,0 +1,113 @@
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#include <Conformal_geometry_processing/conformal_class/Conformal_class.h>
+
+#include <Conformal_geometry_processing/exceptions.h>
+#include <Conformal_geometry_processing/operators/vertex_graph.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+namespace Conformal_geometry_processing {
+
+internal::Conformal_class::Conformal_class(const Mesh_view& mesh)
+    : Conformal_class(mesh, vertex_graph(mesh))
+{}
+
+internal::Conformal_class::Conformal_class(const Mesh_view& mesh,
+                                           const std::shared_ptr<const Sparse_pattern>& graph)
+    : m_scales(mesh, graph), m_equations(mesh, *graph)
+{}
+
+void internal::Conformal_class::keep(Rim_directions rim)
+{
+  m_rim = std::move(rim);
+  m_equations.keep(m_rim);
+}
+
+Eigen::VectorXd internal::Conformal_class::residuals(const Points& f,
+                                                     const Eigen::VectorXd& u) const
+{
+  const Eigen::VectorXd of_edges = m_scales.residuals(f, u), of_rim = m_rim.residuals(f);
+  Eigen::VectorXd all(of_edges.size() + of_rim.size());
+  all << of_edges, of_rim;
+  return all;
+}
+
+bool internal::Conformal_class::advance(State& state, double factor, int halvings) const
+{
+  Points df;
+  Eigen::VectorXd du;
+  m_equations.solve(state.residuals, df, du);
+  const double limit = factor * state.residuals.norm();
+  for (double t = 1; halvings >= 0; t /= 2, --halvings) {
+    State next{state.f + t * df, state.u + t * du, {}};
+    next.residuals = residuals(next.f, next.u);
+    if (!(next.residuals.norm() < limit)) continue;  // also if it is not a number
+    state = std::move(next);
+    return true;
+  }
+  return false;
+}
+
+bool internal::Conformal_class::factorize(const Points& f, bool is_needed)
+{
+  try {
+    m_equations.factorize(f);
+    return true;
+  } catch (const Solver_error& error) {
+    if (is_needed || is_out_of_memory(error)) throw;
+    return false;
+  }
+}
+
+// Newton's method has a basin: outside of it, the first step takes little away. The next factor
+// would serve as badly as the first where that has taken little.
+bool internal::Conformal_class::iterate(State& state, const Snap_options& options,
+                                        Snap_report& report)
+{
+  const double fast = .2;      // a step with an old factor leaves at most so much of the residuals,
+  const double good = .15;     // the first with one that is to be used again so much,
+  const double outside = .37;  // and one outside of the basin more than that
+  const double is_near = 1e-6;  // a new factor that gains less there is damped too much
+  const bool is_new = !state.has_factor;
+  if (is_new && report.residual < is_near && report.residual < m_scales.rounding(state.f))
+    return false;
+  if (is_new && !factorize(state.f, report.residual > options.enough())) return false;
+  report.factorizations += is_new;
+  ++report.iterations;
+  const double norm = state.residuals.norm();
+  state.has_factor = is_new ? advance(state, 1, 8) : advance(state, fast, 0);
+  if (is_new && !state.has_factor && !m_equations.damp()) return false;
+  const double before = std::exchange(report.residual, state.residuals.lpNorm<Eigen::Infinity>());
+  if (!is_new) return true;
+  const double rest = state.residuals.norm() / norm;
+  if (options.only_near && rest > outside && report.residual > options.enough()) return false;
+  state.has_factor = state.has_factor && rest < good;
+  if (report.residual < is_near && report.residual > fast * before)
+    m_equations.undamp(), state.has_factor = false;
+  return true;
+}
+
+internal::Snap_report internal::Conformal_class::snap(Points& f, const Snap_options& options)
+{
+  const int few = 5;
+  const double damping = m_equations.damping();
+  State state{f, m_scales.nearest_scales(f), {}};
+  state.residuals = residuals(f, state.u);
+  Snap_report report;
+  report.initial_residual = report.residual = state.residuals.lpNorm<Eigen::Infinity>();
+  state.has_factor = options.keep_factor && m_equations.resume(f);
+  for (int left = options.max_iterations; report.residual > options.tolerance && left > 0; --left) {
+    if (report.residual <= options.enough()) left = (std::min)(left, few);
+    if (!iterate(state, options, report)) break;
+  }
+  m_equations.set_damping((std::max)(damping, m_equations.damping()));
+  report.converged = report.residual <= options.enough();
+  f = std::move(state.f);
+  return report;
+}
+
+}  // namespace Conformal_geometry_processing

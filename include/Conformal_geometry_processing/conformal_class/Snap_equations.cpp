@@ -1,0 +1,199 @@
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#include <Conformal_geometry_processing/conformal_class/Snap_equations.h>
+
+#include <Conformal_geometry_processing/exceptions.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/choose_ordering.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/expanded_graph.h>
+#include <Conformal_geometry_processing/mesh/topology.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <utility>
+
+namespace Conformal_geometry_processing {
+
+namespace internal {
+
+constexpr double snap_scale_weight = .01;  // of |du|^2 in G
+constexpr double largest_snap_eps = 1e-3, smallest_snap_eps = 1e-11;
+
+inline void require_snap(Solver_status status)
+{
+  if (status != Solver_status::success)
+    throw Solver_error("snap to the conformal class", to_string(status));
+}
+
+}  // namespace internal
+
+internal::Snap_equations::Snap_equations(const Mesh_view& mesh, const Sparse_pattern& graph)
+    : m_ends(mesh.ends()),
+      m_graph(graph),
+      m_components(connected_components(mesh)),
+      m_matrix(std::make_shared<const Sparse_pattern>(expanded_pattern(graph, 4)))
+{
+  const int factorizations = 10;  // a few for each snap, and flows have many
+  const Ordering order = choose_ordering(graph, &mesh.positions(), factorizations);
+  require_snap(m_solver.analyze(m_matrix.pattern(), expanded_ordering(order, 4)));
+}
+
+// Entry (row, column) of a block of a column of blocks, 0 for the diagonal one.
+double& internal::Snap_equations::entry(int block_column, int block, int row, int column)
+{
+  const auto& offsets = m_matrix.pattern().offsets;
+  const int first = offsets[static_cast<std::size_t>(4 * block_column + column)] - column;
+  return m_matrix.value(first + 4 * block + row);
+}
+
+void internal::Snap_equations::add_edge(int i, int j, int k, double weight)
+{
+  Row at_j, at_i;
+  at_j << m_directions.col(k), -.5;
+  at_i << -m_directions.col(k), -.5;
+  const int block = m_graph.find(j, i) - m_graph.offsets[static_cast<std::size_t>(i)];
+  for (int c = 0; c < 4; ++c) {
+    const double g = c < 3 ? weight : 0;
+    entry(i, 0, c, c) += g, entry(j, 0, c, c) += g, entry(i, block, c, c) -= g;
+    for (int r = c; r < 4; ++r)
+      entry(i, 0, r, c) += at_i[r] * at_i[c], entry(j, 0, r, c) += at_j[r] * at_j[c];
+    for (int r = 0; r < 4; ++r) entry(i, block, r, c) += at_j[r] * at_i[c];
+  }
+}
+
+void internal::Snap_equations::add_rim_row(const Rim_directions::Row& row)
+{
+  for (int a = 0; a < 3; ++a)
+    for (int b = 0; b < 3; ++b) {
+      const int i = row.vertices[static_cast<std::size_t>(b)],
+                j = row.vertices[static_cast<std::size_t>(a)];
+      if (j < i) continue;
+      const int block = m_graph.find(j, i) - m_graph.offsets[static_cast<std::size_t>(i)];
+      for (int c = 0; c < 3; ++c)
+        for (int r = i == j ? c : 0; r < 3; ++r)
+          entry(i, block, r, c) += row.gradients(r, a) * row.gradients(c, b);
+    }
+}
+
+void internal::Snap_equations::keep(Rim_directions rim)
+{
+  if (m_state.last && rim.size_of_rows() != m_state.last->rim.size_of_rows())
+    m_state.last = nullptr;
+  m_rim = std::move(rim);
+}
+
+bool internal::Snap_equations::damp()
+{
+  if (m_state.eps >= largest_snap_eps) return false;
+  m_state.eps *= 10;
+  return true;
+}
+
+void internal::Snap_equations::undamp()
+{
+  m_state.eps = (std::max)(m_state.eps / 10, smallest_snap_eps);
+}
+
+void internal::Snap_equations::factorize(const Points& f)
+{
+  m_state.last = nullptr;
+  Linearization at{f, m_rim, m_state.eps};
+  Solver_status status = factorize(at);
+  while (status == Solver_status::not_positive_definite && damp()) {
+    at.eps = m_state.eps;
+    status = factorize(at);
+  }
+  require_snap(status);
+  m_state.last = m_factorized = std::make_shared<const Linearization>(std::move(at));
+}
+
+bool internal::Snap_equations::resume(const Points& f)
+{
+  if (!m_state.last || !serves(*m_state.last, f)) return false;
+  if (m_state.last != m_factorized) {
+    require_snap(factorize(*m_state.last));
+    m_factorized = m_state.last;
+  }
+  return true;
+}
+
+bool internal::Snap_equations::serves(const Linearization& at, const Points& f) const
+{
+  const double largest = .2;  // root mean square
+  double squares = 0;
+  for (const auto& [i, j] : m_ends) {
+    const Eigen::Vector3d before = at.f.col(j) - at.f.col(i), after = f.col(j) - f.col(i);
+    squares += (after - before).squaredNorm() / before.squaredNorm();
+  }
+  return squares < largest * largest * static_cast<double>(m_ends.size());
+}
+
+Solver_status internal::Snap_equations::factorize(const Linearization& at)
+{
+  m_factorized = nullptr;
+  assemble(at);
+  return m_solver.factorize(m_matrix, {});
+}
+
+void internal::Snap_equations::assemble(const Linearization& at)
+{
+  const Points& f = at.f;
+  m_matrix.set_zero();
+  m_directions.resize(3, static_cast<Eigen::Index>(m_ends.size()));
+  for (int k = 0; k < m_directions.cols(); ++k) {
+    const auto [i, j] = m_ends[static_cast<std::size_t>(k)];
+    const Eigen::Vector3d e = f.col(j) - f.col(i);
+    m_directions.col(k) = e / e.squaredNorm();
+    add_edge(i, j, k, at.eps / e.squaredNorm());
+  }
+  m_rim_rows = at.rim.derivative(f);
+  for (const Rim_directions::Row& row : m_rim_rows) add_rim_row(row);
+  int components = 0;
+  for (int v = 0; v < f.cols(); ++v) {
+    entry(v, 0, 3, 3) += at.eps * snap_scale_weight;
+    if (m_components[static_cast<std::size_t>(v)] < components) continue;
+    ++components;
+    const double held = entry(v, 0, 0, 0) + entry(v, 0, 1, 1) + entry(v, 0, 2, 2);
+    for (int c = 0; c < 3; ++c) entry(v, 0, c, c) += held;
+  }
+}
+
+void internal::Snap_equations::solve(const Eigen::VectorXd& c, Points& df,
+                                     Eigen::VectorXd& du) const
+{
+  Block<double> b = Block<double>::Zero(m_matrix.size(), 1), d;
+  for (int k = 0; k < m_directions.cols(); ++k) {
+    const auto [i, j] = m_ends[static_cast<std::size_t>(k)];
+    b.block<3, 1>(4 * i, 0) += c[k] * m_directions.col(k);
+    b.block<3, 1>(4 * j, 0) -= c[k] * m_directions.col(k);
+    for (const int v : {i, j}) b(4 * v + 3, 0) += c[k] / 2;
+  }
+  for (std::size_t k = 0; k < m_rim_rows.size(); ++k)
+    for (int v = 0; v < 3; ++v)
+      b.block<3, 1>(4 * m_rim_rows[k].vertices[static_cast<std::size_t>(v)], 0) -=
+          c[m_directions.cols() + static_cast<Eigen::Index>(k)] * m_rim_rows[k].gradients.col(v);
+  require_snap(m_solver.solve(b, d));
+  const auto at_vertices = d.col(0).reshaped(4, d.rows() / 4);
+  df = at_vertices.topRows<3>();
+  du = at_vertices.row(3);
+  center(df);
+}
+
+void internal::Snap_equations::center(Points& df) const
+{
+  int components = 0;
+  for (const int c : m_components) components = (std::max)(components, c + 1);
+  Points sum = Points::Zero(3, components);
+  Eigen::VectorXd count = Eigen::VectorXd::Zero(components);
+  for (int v = 0; v < df.cols(); ++v) {
+    sum.col(m_components[static_cast<std::size_t>(v)]) += df.col(v);
+    ++count[m_components[static_cast<std::size_t>(v)]];
+  }
+  for (int v = 0; v < df.cols(); ++v) {
+    const int component = m_components[static_cast<std::size_t>(v)];
+    df.col(v) -= sum.col(component) / count[component];
+  }
+}
+
+}  // namespace Conformal_geometry_processing

@@ -1,0 +1,124 @@
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#include <Conformal_geometry_processing/flow/Class_keeper.h>
+
+#include <Conformal_geometry_processing/exceptions.h>
+#include <Conformal_geometry_processing/mesh/Normalized_frame.h>
+#include <Conformal_geometry_processing/mesh/Surface_ref.h>
+#include <Conformal_geometry_processing/spin/gauge.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace Conformal_geometry_processing {
+
+namespace internal {
+
+/// those at the boundary; where directions across it are kept, of the faces at the boundary
+inline std::vector<char> held_vertices(const Mesh_view& mesh, const Boundary_condition& boundary)
+{
+  std::vector<char> is_held = boundary_vertices(mesh);
+  const bool are_tangents = boundary.direction.tail<2>().isZero(0);
+  if (boundary.kind != Boundary_condition::Kind::directions || are_tangents) return is_held;
+  for (int h = 0; h < mesh.size_of_halfedges(); ++h)
+    if (mesh.twin(h) < 0)
+      is_held[static_cast<std::size_t>(mesh.to(Mesh_view::next_in_face(h)))] = 1;
+  return is_held;
+}
+
+}  // namespace internal
+
+internal::Class_keeper::Class_keeper(const Mesh_view& initial, const Boundary_condition& boundary)
+    : m_unit(Normalized_frame(initial.positions()).unit()),
+      m_initial(initial.positions() / m_unit, initial.corners()),
+      m_boundary(boundary),
+      m_class(m_initial),
+      m_fairing(m_initial, held_vertices(m_initial, boundary))
+{}
+
+void internal::Class_keeper::keep_directions(const Points& f)
+{
+  if (m_boundary.kind == Boundary_condition::Kind::directions)
+    m_class.keep({Mesh_view(f, m_initial.corners()), m_boundary.direction});
+}
+
+bool internal::Class_keeper::snap(Points& f)
+{
+  keep_directions(f / m_unit);
+  return snap_to_kept(f, true);
+}
+
+// Length cross-ratios sum four residuals. Energies are compared by
+// `Flow_options::energy_tolerance`, 1e-4: what a surface gains within a wide band around the class
+// would be taken for a descent, and the flow would not settle. Where limbs are thin, a few steps
+// more do not lead into the narrow band. The factor of the last snap is kept: late in a flow its
+// steps converge without another one. Of trials that come to the class from far away, nearly all
+// have more energy then: they are refused before that, if another one follows.
+bool internal::Class_keeper::snap_to_kept(Points& f, bool only_near)
+{
+  const double wide_band = 1e-3, narrow_band = 1e-5;
+  Points moved = f / m_unit;
+  const Snap_options options{narrow_band / 4, 17, true, wide_band / 4, only_near};
+  if (!m_class.snap(moved, options).converged) return false;
+  take(std::move(moved), f);
+  return true;
+}
+
+void internal::Class_keeper::polish(Points& f)
+{
+  Points moved = f / m_unit;
+  keep_directions(moved);
+  const Snap_report report = m_class.snap(moved);
+  if (!(report.residual < report.initial_residual)) return;
+  take(std::move(moved), f);
+}
+
+void internal::Class_keeper::take(Points moved, Points& f) const
+{
+  Quaternion_vector<double> no_spins;
+  restore_area(m_initial, moved, no_spins);
+  f = m_unit * moved;
+}
+
+std::optional<Points> internal::Class_keeper::smoothed(
+    const Mesh_view& mesh, const std::function<bool(const Points&)>& is_better)
+{
+  const double weakest = 2.5e-3;
+  const int trials = 3;
+  Points f;
+  for (int trial = 1; trial <= trials; ++trial) {
+    if (try_smoothing(mesh, trial < trials, is_better, f)) {
+      m_smoothing.succeed();
+      return f;
+    }
+    if (m_smoothing.strength <= weakest) break;
+    m_smoothing.strength = (std::max)(m_smoothing.strength / 4, weakest);
+  }
+  m_smoothing.fail();
+  return std::nullopt;
+}
+
+void internal::Class_keeper::set_state(const State& state)
+{
+  m_smoothing = state.smoothing;
+  m_class.set_state(state.snap);
+}
+
+bool internal::Class_keeper::try_smoothing(const Mesh_view& mesh, bool only_near,
+                                           const std::function<bool(const Points&)>& is_better,
+                                           Points& f)
+{
+  try {
+    Mesh_view present = m_initial;
+    present.set_positions(mesh.positions() / m_unit);
+    keep_directions(present.positions());
+    f = m_unit * m_fairing(present, m_smoothing.strength);
+    return snap_to_kept(f, only_near) && is_better(f);
+  } catch (const Solver_error& error) {
+    if (is_out_of_memory(error)) throw;
+    return false;
+  }
+}
+
+}  // namespace Conformal_geometry_processing

@@ -1,0 +1,244 @@
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#include <Conformal_geometry_processing/flow/Conformal_willmore_flow.h>
+
+#include <Conformal_geometry_processing/flow/Constrained_direction.h>
+#include <Conformal_geometry_processing/flow/step_fault.h>
+#include <Conformal_geometry_processing/mesh/Boundary_frames.h>
+#include <Conformal_geometry_processing/spin/closed_step.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <utility>
+
+namespace Conformal_geometry_processing {
+
+Conformal_willmore_flow::Conformal_willmore_flow(const Mesh_view& mesh, const Flow_options& options,
+                                                 internal::Curvature_direction_ref direction,
+                                                 std::string function)
+    : m_function(std::move(function)),
+      m_options(checked(options, m_function)),
+      m_input(mesh),
+      m_initial(on_class(mesh, options, m_function)),
+      m_mesh(m_initial),
+      m_next(m_initial),
+      m_transformation(m_initial, transformation_options(m_initial, options), m_function),
+      m_direction(m_transformation, std::move(direction), options, m_function),
+      m_balance(m_initial, options, m_transformation, m_function),
+      m_initial_energy(energy_of(m_initial)),
+      m_energy(m_initial_energy),
+      m_time_step(options.time_step, (std::min)(options.min_time_step, options.time_step),
+                  options.exact_conformal_class
+                      ? (std::max)(options.time_step / 4,
+                                   (std::min)(options.min_time_step, options.time_step))
+                      : options.time_step)
+{
+  if (options.exact_conformal_class) m_class.emplace(m_initial, options.boundary);
+  if (!options.mollification) return;
+  m_well_shaped = well_shaped_part(m_initial);
+  if (m_class) m_mollification = mollification_on_class();
+}
+
+namespace internal {
+
+constexpr double pi = 3.14159265358979323846;
+
+/// makes the directions that a boundary has targets of a condition that keeps them
+inline void keep_first_directions(const Mesh_view& mesh, Boundary_condition& condition)
+{
+  if (condition.kind != Boundary_condition::Kind::directions || condition.targets.cols() > 0)
+    return;
+  const Boundary_frames frames = boundary_frames(mesh);
+  condition.targets.resize(3, static_cast<Eigen::Index>(frames.frames.size()));
+  for (std::size_t k = 0; k < frames.frames.size(); ++k)
+    condition.targets.col(static_cast<Eigen::Index>(k)) = frames.frames[k] * condition.direction;
+}
+
+}  // namespace internal
+
+Spin_transformation_options Conformal_willmore_flow::transformation_options(
+    const Mesh_view& initial, const Flow_options& options)
+{
+  Spin_transformation_options own;
+  own.boundary = options.boundary;
+  if (options.exact_conformal_class) internal::keep_first_directions(initial, own.boundary);
+  own.exactness = options.exactness;
+  if (!options.exact_conformal_class) own.mollification = options.mollification;
+  own.solvers = options.solvers;
+  return own;
+}
+
+double Conformal_willmore_flow::energy_of(const Mesh_view& mesh) const
+{
+  const internal::Curvature_direction_ref& direction = m_direction.unconstrained();
+  const Mesh_view framed = in_frame(mesh);
+  if (!m_transformation.domain().is_mollified()) return direction.energy(mesh, framed);
+  return direction.energy(mesh, Delaunay_view(framed, *m_options.mollification));
+}
+
+Mesh_view Conformal_willmore_flow::in_frame(const Mesh_view& mesh)
+{
+  const Points& positions = mesh.positions();
+  Mesh_view framed = mesh;  // with its edges, which need not be found again
+  framed.set_positions(internal::Normalized_frame(positions).to_frame(positions));
+  return framed;
+}
+
+void Conformal_willmore_flow::find_time_step(const Eigen::VectorXd& v, Flow_step_report& report,
+                                             const Go_further& go_further)
+{
+  const double first = m_time_step.value();
+  const Eigen::VectorXd back = m_direction.exact_part(m_balance.potential(m_mesh));
+  for (int slight_rises = 0; !report.accepted && report.stop == Flow_step_report::Stop::none;) {
+    const double tau = report.time_step = m_time_step.value();
+    ++report.trials;
+    const Verdict verdict = try_step(tau * v + tau / first * back, report, go_further);
+    slight_rises += verdict == Verdict::rises_slightly;
+    if (verdict == Verdict::cancelled)
+      report.stop = Flow_step_report::Stop::cancelled;
+    else if (verdict == Verdict::good)
+      accept(report);
+    else if (!m_options.backtracking)
+      report.stop = verdict == Verdict::out_of_limits ? Flow_step_report::Stop::limits_reached
+                                                      : Flow_step_report::Stop::step_failed;
+    else if (slight_rises == 2)  // halving the step does not help: this is the minimum
+      report.stop = Flow_step_report::Stop::energy_settled;
+    else if (!m_time_step.halve())
+      report.stop = reason_to_end(verdict);
+  }
+}
+
+Flow_step_report::Stop Conformal_willmore_flow::reason_to_end(Verdict last) const
+{
+  if (last == Verdict::rises_slightly || last == Verdict::rises_within_error)
+    return Flow_step_report::Stop::energy_settled;
+  if (last == Verdict::out_of_limits) return Flow_step_report::Stop::limits_reached;
+  // Beyond e^11, the squares of the lengths by the least damping of a snap, 1e-6, exceed 16 digits;
+  // from e^10 on, the next step may lead there.
+  const double largest_range = 10;
+  const auto scale = map_to(measured(), m_mesh.positions()).scale;
+  const bool is_out = m_class && !(std::log(scale.max_scale / scale.min_scale) <= largest_range);
+  return is_out ? Flow_step_report::Stop::scale_range : Flow_step_report::Stop::time_step_too_small;
+}
+
+auto Conformal_willmore_flow::try_step(const Eigen::VectorXd& rho, Flow_step_report& report,
+                                       const Go_further& go_further) -> Verdict
+{
+  try {
+    internal::Closed_step next = internal::closed_step(
+        m_transformation, Curvature_potential::on_vertices(rho),
+        {m_options.max_period_defect, m_options.dirac.tolerance}, 1, m_options.dirac, go_further);
+    const Spin_report before = std::exchange(report.spin, next.result.report);
+    internal::add_costs(report.spin, before);
+    if (m_class) report.spin.mollification = m_mollification;
+    report.period_defect = report.spin.period_defect;
+    return report.spin.cancelled ? Verdict::cancelled : judge(std::move(next.result), report);
+  } catch (const Solver_error& error) {
+    if (is_out_of_memory(error)) throw;
+    report.message = error.what();
+    return Verdict::bad;
+  }
+}
+
+auto Conformal_willmore_flow::judge(Spin_result result, Flow_step_report& report) -> Verdict
+{
+  const std::string fault = step_fault(result.report, is_turning(), m_class.has_value(), m_options);
+  if (!fault.empty()) return reject(fault, report);
+  if (m_class && !m_class->snap(result.positions))
+    return reject("the conformal class is not reached", report);
+  m_next.set_positions(std::move(result.positions));
+  const double energy = energy_of(m_next), rise = energy - m_energy;
+  if (!std::isfinite(energy)) return reject("the energy is not finite", report);
+  if (rise >= forbidden_rise()) {
+    (void)reject("the energy rises by " + std::to_string(rise / m_energy) + " of it", report);
+    if (is_small(rise, report.time_step)) return Verdict::rises_slightly;
+    return is_within_error(rise) ? Verdict::rises_within_error : Verdict::bad;
+  }
+  return move_on(balanced(energy), spin_limits(), report);
+}
+
+double Conformal_willmore_flow::balanced(double energy)
+{
+  if (!m_balance.is_by_inversion()) return energy;
+  const Points before = m_next.positions();
+  m_next.set_positions(m_balance.inverted(m_next));
+  const double after = energy_of(m_next);
+  if (after - m_energy < forbidden_rise()) return after;
+  m_next.set_positions(before);
+  return energy;
+}
+
+double Conformal_willmore_flow::forbidden_rise() const
+{
+  const bool may_rise = !m_options.backtracking || !m_direction.unconstrained().has_energy();
+  return may_rise ? HUGE_VAL : turning_angle() * (std::max)(m_energy, 4 * internal::pi);
+}
+
+Spin_report::Direction_error Conformal_willmore_flow::direction_error() const
+{
+  const auto* const directions = m_transformation.system().directions();
+  if (!directions) return {};
+  const Points& in_frame = m_transformation.domain().mesh().positions();
+  const Eigen::VectorXd errors =
+      m_transformation.domain().direction_errors(*directions, in_frame, directions->targets());
+  return {errors.mean(), errors.maxCoeff()};
+}
+
+auto Conformal_willmore_flow::reject(const std::string& message, Flow_step_report& report)
+    -> Verdict
+{
+  report.message = message;
+  return Verdict::bad;
+}
+
+bool Conformal_willmore_flow::is_small(double change, double time) const
+{
+  // Near minimal surfaces, whose energy is zero, the discretisation limits the convergence.
+  const double scale = (std::max)(m_energy, 0.01 * m_initial_energy);
+  return std::abs(change) < m_options.energy_tolerance * time * scale;
+}
+
+bool Conformal_willmore_flow::is_within_error(double rise) const
+{
+  return is_small(rise, 1) ||
+         rise < direction_error().mean * (std::max)(m_energy, 4 * internal::pi);
+}
+
+auto Conformal_willmore_flow::move_on(double energy, const Conformality::Limits& limits,
+                                      Flow_step_report& report) -> Verdict
+{
+  const Conformality map = map_to(measured(), m_next.positions());
+  const auto fault = map.fault(limits);
+  if (fault != Conformality::Fault::none) {
+    (void)reject(std::string("from the initial surface, ") + to_string(fault), report);
+    return Verdict::out_of_limits;
+  }
+  report.quasi_conformal = map.quasi_conformal;
+  report.length_cross_ratio = map.length_cross_ratio.max;
+  try {
+    m_transformation.set_positions(m_next.positions());
+  } catch (const Precondition_error& error) {
+    return reject(error.message(), report);
+  }
+  std::swap(m_mesh, m_next);
+  m_energy = energy;
+  return Verdict::good;
+}
+
+void Conformal_willmore_flow::accept(Flow_step_report& report)
+{
+  ++m_steps;
+  report.accepted = true;
+  report.energy = m_energy;
+  report.message.clear();
+  if (m_class) judge_boundary(report.spin);
+  m_time_step.grow();
+  const double change = report.energy - report.energy_before;
+  if (m_direction.unconstrained().has_energy() && is_small(change, fairs() ? 1 : report.time_step))
+    report.stop = Flow_step_report::Stop::energy_settled;
+}
+
+}  // namespace Conformal_geometry_processing

@@ -1,0 +1,96 @@
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#include <Conformal_geometry_processing/flow/Constrained_direction.h>
+
+#include <Conformal_geometry_processing/flow/Curvature_filter.h>
+#include <Conformal_geometry_processing/flow/Willmore_direction.h>
+#include <Conformal_geometry_processing/mesh/normals.h>
+#include <Conformal_geometry_processing/mesh/requirements.h>
+#include <Conformal_geometry_processing/spin/Spin_transformation.h>
+
+#include <Eigen/Core>
+
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace Conformal_geometry_processing {
+
+bool internal::Constrained_direction::Result::has_vanished(double tolerance) const
+{
+  const double norm_of_spheres = std::sqrt(4 * 3.14159265358979323846);
+  return share <= tolerance || norm <= tolerance * norm_of_spheres;
+}
+
+internal::Constrained_direction::Constrained_direction(Transformation& transformation,
+                                                       internal::Curvature_direction_ref direction,
+                                                       const Flow_options& options,
+                                                       std::string function)
+    : m_transformation(transformation),
+      m_direction(std::move(direction)),
+      m_filter_weight(options.filter_weight),
+      m_filter_order(options.filter_order),
+      m_function(std::move(function))
+{}
+
+auto internal::Constrained_direction::operator()(const Mesh_view& mesh) -> Result
+{
+  const internal::Framed_surface& domain = m_transformation.domain();
+  const Eigen::VectorXd raw = m_direction.rate(mesh, domain.surface(), domain.unit());
+  require_one_per_vertex(raw);
+  try {
+    return constrained(raw);
+  } catch (const Precondition_error& error) {
+    throw Solver_error(error.function(), error.message());
+  }
+}
+
+Eigen::VectorXd internal::Constrained_direction::exact_part(const Eigen::VectorXd& rho)
+{
+  return rho.isZero(0) ? rho : exactness().basis().project_out(rho);
+}
+
+auto internal::Constrained_direction::constrained(const Eigen::VectorXd& raw) -> Result
+{
+  const auto& system = m_transformation.system();
+  const double unit = m_transformation.domain().unit();
+  internal::Constraint_basis all = exactness().basis();
+  if (system.is_closed())
+    all.add(vertex_normals(system.surface(), internal::Normal_weight::angle).transpose());
+  Result result;
+  result.v = all.project_out(filtered(raw));
+  result.norm = all.norm(result.v) * unit;
+  result.share = all.norm(raw) > 0 ? all.norm(result.v) / all.norm(raw) : 0;
+  return result;
+}
+
+const internal::Exactness_constraints& internal::Constrained_direction::exactness()
+{
+  return m_transformation.exactness(Curvature_potential::On::vertices);
+}
+
+// With mollification, the surface and its pattern change in every step.
+Eigen::VectorXd internal::Constrained_direction::filtered(const Eigen::VectorXd& v)
+{
+  if (!(m_filter_weight > 0)) return v;
+  const auto& system = m_transformation.system();
+  if (m_filter && !m_transformation.domain().is_mollified())
+    m_filter->update_geometry();
+  else
+    m_filter.emplace(system.surface(), m_filter_weight, m_filter_order,
+                     system.matrix().shared_pattern(), system.solver());
+  return (*m_filter)(v);
+}
+
+void internal::Constrained_direction::require_one_per_vertex(const Eigen::VectorXd& v) const
+{
+  if (v.size() != m_transformation.positions().cols())
+    throw Precondition_error(m_function, "the direction has " + std::to_string(v.size()) +
+                                             " values, one per vertex is needed: " +
+                                             std::to_string(m_transformation.positions().cols()));
+  internal::refuse_if_any(
+      static_cast<int>(v.size()), [&](int i) { return !std::isfinite(v[i]); },
+      [](int i) { return "vertex " + std::to_string(i); }, m_function,
+      "#value of the direction not finite", "finite values are needed");
+}
+
+}  // namespace Conformal_geometry_processing

@@ -1,0 +1,209 @@
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+// The steps of `Conformal_willmore_flow` on the exact conformal class, and what is measured of it.
+#include <Conformal_geometry_processing/flow/Conformal_willmore_flow.h>
+
+#include <Conformal_geometry_processing/forms/conformal_type.h>
+#include <Conformal_geometry_processing/mesh/mollified_lengths.h>
+#include <Conformal_geometry_processing/mesh/requirements.h>
+#include <Conformal_geometry_processing/mesh/simple_delaunay.h>
+#include <Conformal_geometry_processing/mesh/topology.h>
+#include <Conformal_geometry_processing/mesh/with_opened_faces.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+#include <string>
+#include <utility>
+
+namespace Conformal_geometry_processing {
+
+Mesh_view Conformal_willmore_flow::on_class(const Mesh_view& mesh, const Flow_options& options,
+                                            const std::string& function)
+{
+  internal::Framed_surface::require(mesh, options.mollification, function);
+  if (!options.exact_conformal_class) return mesh;
+  if (!options.mollification) return internal::simple_delaunay(mesh);
+  const double share = *options.mollification;
+  Mesh_view opened = internal::with_opened_faces(internal::simple_delaunay(mesh, share), share);
+  require_surface(opened, function);
+  return opened;
+}
+
+bool Conformal_willmore_flow::fairs() const
+{
+  return m_class && m_options.fairing && m_options.backtracking && m_options.filter_weight == 0 &&
+         m_direction.unconstrained().has_energy();
+}
+
+void Conformal_willmore_flow::take_step(Flow_step_report& report, const Go_further& go_further)
+{
+  const bool rests = fairs() && m_class->rests();
+  report.faired = fairs() && !rests && fair(report);
+  const auto direction = m_direction(m_mesh);
+  report.direction_norm = direction.norm;
+  report.remaining_share = direction.share;
+  if (direction.has_vanished(m_options.direction_tolerance) && !is_turning())
+    report.stop = Flow_step_report::Stop::direction_vanished;
+  else
+    find_time_step(direction.v, report, go_further);
+  const bool is_cancelled = report.stop == Flow_step_report::Stop::cancelled;
+  if (report.faired && !report.accepted && !is_cancelled) settle_for_fairing(report);
+  if (rests && report.accepted && report.stop == Flow_step_report::Stop::energy_settled) {
+    m_class->wake();  // smoothing might go on
+    if (fair(report)) {
+      report.faired = true;
+      report.stop = Flow_step_report::Stop::none;
+      report.energy = m_energy;
+    }
+  }
+}
+
+bool Conformal_willmore_flow::fair(Flow_step_report& report)
+{
+  double energy = m_energy;
+  const auto is_better = [&](const Points& f) {
+    m_next.set_positions(f);
+    energy = energy_of(m_next);
+    return energy < m_energy && move_on(energy, m_options.limits, report) == Verdict::good;
+  };
+  return m_class->smoothed(m_mesh, is_better).has_value();
+}
+
+void Conformal_willmore_flow::settle_for_fairing(Flow_step_report& report)
+{
+  const bool was_enough = !is_small(report.energy_before - m_energy, 1);
+  if (was_enough) {
+    report.stop = Flow_step_report::Stop::none;
+    report.message.clear();
+  }
+  report.accepted = true;
+  report.energy = m_energy;
+  report.time_step = 0;
+  const Spin_report given_up = std::exchange(report.spin, {});
+  internal::add_costs(report.spin, given_up);
+  report.spin.mollification = m_mollification;
+  judge_boundary(report.spin);
+  ++m_steps;
+}
+
+// That a step has not realised its rho is no fault of a surface that is in the class and has the
+// directions.
+void Conformal_willmore_flow::judge_boundary(Spin_report& report) const
+{
+  report.direction_error = direction_error();
+  const bool is_of_rho = report.boundary_fault == Spin_report::Boundary_fault::not_realizable;
+  if (is_of_rho && !is_turning()) report.boundary_fault = Spin_report::Boundary_fault::none;
+}
+
+auto Conformal_willmore_flow::state() const -> State
+{
+  return {m_mesh.positions(), m_energy, m_time_step,
+          m_class ? m_class->state() : internal::Class_keeper::State()};
+}
+
+void Conformal_willmore_flow::restore(const State& before)
+{
+  m_time_step = before.time_step;
+  if (m_class) m_class->set_state(before.keeper);
+  if (m_mesh.positions() == before.positions) return;
+  m_mesh.set_positions(before.positions);
+  m_transformation.set_positions(before.positions);
+  m_energy = before.energy;
+}
+
+namespace internal {
+
+inline double largest_period_defect(const Flow_report& report)
+{
+  double largest = 0;
+  for (const Flow_step_report& step : report.steps)
+    largest = (std::max)(largest, step.period_defect);
+  return largest;
+}
+
+}  // namespace internal
+
+void Conformal_willmore_flow::finish(Flow_report& report)
+{
+  if (m_class && m_steps > 0 && report.stop != Flow_step_report::Stop::cancelled) polish();
+  report.energy = m_energy;
+  if (m_class) report.period_defect = internal::largest_period_defect(report);
+  report.conformality = map_to(measured(), m_mesh.positions());
+  report.conformality_of_faces =
+      m_class ? map_to(m_options.mollification ? well_shaped_part(m_input).mesh : m_input,
+                       m_mesh.positions())
+              : report.conformality;
+  const bool is_triangulated = m_transformation.domain().is_mollified();
+  if (m_steps > 0 && !is_triangulated && boundary_loops(m_mesh).empty())
+    report.conformal_type_change = type_change();
+}
+
+double Conformal_willmore_flow::type_change() const
+{
+  try {
+    return internal::conformal_type_distance(internal::harmonic_energies(in_frame(m_initial)),
+                                             internal::harmonic_energies(in_frame(m_mesh)));
+  } catch (const Solver_error& error) {
+    if (is_out_of_memory(error)) throw;
+    return HUGE_VAL;  // a Laplacian that cannot be factored has no harmonic forms to compare
+  }
+}
+
+// Where that fails, or leaves the limits, the surface is in its class to the tolerance of the
+// steps.
+void Conformal_willmore_flow::polish()
+{
+  Points f = m_mesh.positions();
+  try {
+    m_class->polish(f);
+    if (map_to(measured(), f).fault(m_options.limits) != Conformality::Fault::none) return;
+    m_transformation.set_positions(f);
+  } catch (const Error&) {
+    return;
+  }
+  m_mesh.set_positions(std::move(f));
+  m_energy = energy_of(m_mesh);
+}
+
+internal::Well_shaped_faces Conformal_willmore_flow::well_shaped_part(const Mesh_view& mesh)
+{
+  internal::Well_shaped_faces part = well_shaped_faces(in_frame(mesh));
+  part.mesh.set_positions(mesh.positions());
+  return part;
+}
+
+Spin_report::Mollification Conformal_willmore_flow::mollification_on_class() const
+{
+  const double share = *m_options.mollification;
+  const std::set<std::array<int, 2>> edges(m_input.ends().begin(), m_input.ends().end());
+  Spin_report::Mollification made;
+  made.share = share;
+  made.thin_faces = mollified_lengths(in_frame(m_input), share).thin_faces;
+  for (const auto& ends : m_initial.ends())
+    made.flipped_edges += static_cast<int>(1 - edges.count(ends));
+  made.measured_faces = m_well_shaped->mesh.size_of_faces();
+  made.measured_area = m_well_shaped->share;
+  return made;
+}
+
+Conformality Conformal_willmore_flow::map_to(const Mesh_view& measured, const Points& positions)
+{
+  const double unit = internal::Normalized_frame(measured.positions()).unit();
+  Mesh_view before = measured;
+  before.set_positions(measured.positions() / unit);
+  const Points after = positions / unit;
+  return conformality(before, after, neighbourhood_normals(before, after));
+}
+
+Conformality::Limits Conformal_willmore_flow::spin_limits() const
+{
+  Conformality::Limits limits = m_options.limits;
+  if (m_class && m_options.backtracking)
+    limits.quasi_conformal = (std::min)(limits.quasi_conformal, m_options.max_spin_distortion);
+  return limits;
+}
+
+}  // namespace Conformal_geometry_processing

@@ -1,0 +1,49 @@
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#include <Conformal_geometry_processing/flow/Flow_report.h>
+
+#include <utility>
+
+namespace Conformal_geometry_processing {
+
+const char* to_string(Flow_step_report::Stop stop)
+{
+  switch (stop) {
+    case Flow_step_report::Stop::none:
+      return "not stopped";
+    case Flow_step_report::Stop::energy_settled:
+      return "the energy has settled";
+    case Flow_step_report::Stop::direction_vanished:
+      return "nothing is left of the direction";
+    case Flow_step_report::Stop::steps_done:
+      return "all steps are done";
+    case Flow_step_report::Stop::cancelled:
+      return "cancelled";
+    case Flow_step_report::Stop::time_step_too_small:
+      return "the time step became too small";
+    case Flow_step_report::Stop::limits_reached:
+      return "the limits of distortion are reached";
+    case Flow_step_report::Stop::scale_range:
+      return "limbs would shrink beyond double precision";
+    case Flow_step_report::Stop::step_failed:
+      return "the step failed";
+  }
+  return "unknown";
+}
+
+bool Flow_report::converged() const
+{
+  return stop == Flow_step_report::Stop::energy_settled ||
+         stop == Flow_step_report::Stop::direction_vanished;
+}
+
+bool append(Flow_report& report, Flow_step_report step)
+{
+  report.stop = step.stop;
+  report.message = step.message;
+  const bool is_accepted = step.accepted;
+  if (is_accepted) report.period_defect += step.period_defect;
+  if (is_accepted) report.steps.push_back(std::move(step));
+  return is_accepted;
+}
+
+}  // namespace Conformal_geometry_processing

@@ -1,0 +1,102 @@
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#include <Conformal_geometry_processing/flow/Moebius_balancing.h>
+
+#include <Conformal_geometry_processing/algebra/Moebius_map.h>
+#include <Conformal_geometry_processing/operators/mass_matrices.h>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace Conformal_geometry_processing {
+
+internal::Moebius_balancing::Moebius_balancing(Eigen::VectorXd target_areas, std::string function)
+    : m_target(std::move(target_areas)), m_function(std::move(function))
+{
+  for (Eigen::Index v = 0; v < m_target.size(); ++v)
+    if (!(m_target[v] > 0) || !std::isfinite(m_target[v]))
+      throw Precondition_error(m_function, "the target area of vertex " + std::to_string(v) +
+                                               " is " + std::to_string(m_target[v]) +
+                                               "; positive areas are needed");
+}
+
+Eigen::VectorXd internal::Moebius_balancing::log_length_scale(const Mesh_view& mesh) const
+{
+  return log_length_scale(areas_of(mesh));
+}
+
+double internal::Moebius_balancing::imbalance(const Mesh_view& mesh) const
+{
+  const Eigen::VectorXd areas = areas_of(mesh);
+  return std::sqrt(areas.dot(log_length_scale(areas).cwiseAbs2()) / areas.sum());
+}
+
+Eigen::Vector3d internal::Moebius_balancing::step(const Mesh_view& mesh) const
+{
+  const Eigen::VectorXd areas = areas_of(mesh);
+  const Points f = mesh.positions().colwise() - centroid(mesh, areas);
+  const Eigen::Matrix3d inertia = f * areas.asDiagonal() * f.transpose();
+  const Eigen::Vector3d moment = f * areas.cwiseProduct(log_length_scale(areas));
+  const Eigen::Vector3d a = inertia.ldlt().solve(moment) / 2;
+  const double nearness_of_pole = a.norm() * f.colwise().norm().maxCoeff();
+  return a / (std::max)(1., 2 * nearness_of_pole);
+}
+
+Eigen::VectorXd internal::Moebius_balancing::curvature_change(const Eigen::Vector3d& a,
+                                                              const Points& normals)
+{
+  return -2 * normals.transpose() * a;
+}
+
+Points internal::Moebius_balancing::balanced(const Mesh_view& mesh) const
+{
+  const int most_halvings = 6;
+  const double before = imbalance(mesh);
+  Eigen::Vector3d a = step(mesh);
+  Mesh_view image = mesh;
+  for (int trial = 0; trial <= most_halvings && a != Eigen::Vector3d::Zero(); ++trial, a /= 2) {
+    image.set_positions(inverted(mesh, a));
+    if (imbalance(image) < before) return image.positions();
+  }
+  return mesh.positions();
+}
+
+Points internal::Moebius_balancing::inverted(const Mesh_view& mesh, const Eigen::Vector3d& a)
+{
+  const Eigen::VectorXd areas = vertex_areas(mesh);
+  const Eigen::Vector3d center = centroid(mesh, areas);
+  Mesh_view image = mesh;
+  image.set_positions(
+      Moebius_map::sphere_inversion(a).transform(mesh.positions().colwise() - center));
+  const Eigen::VectorXd new_areas = vertex_areas(image);
+  const Eigen::Vector3d new_center = centroid(image, new_areas);
+  const double scale = std::sqrt(areas.sum() / new_areas.sum());
+  return (scale * (image.positions().colwise() - new_center)).colwise() + center;
+}
+
+Eigen::VectorXd internal::Moebius_balancing::areas_of(const Mesh_view& mesh) const
+{
+  if (mesh.size_of_vertices() != m_target.size())
+    throw Precondition_error(m_function, std::to_string(m_target.size()) +
+                                             " target areas, one per vertex is needed: " +
+                                             std::to_string(mesh.size_of_vertices()));
+  return vertex_areas(mesh);
+}
+
+Eigen::VectorXd internal::Moebius_balancing::log_length_scale(const Eigen::VectorXd& areas) const
+{
+  const Eigen::VectorXd u = (areas.array() / m_target.array()).log() / 2;
+  return u.array() - areas.dot(u) / areas.sum();
+}
+
+Eigen::Vector3d internal::Moebius_balancing::centroid(const Mesh_view& mesh,
+                                                      const Eigen::VectorXd& areas)
+{
+  return mesh.positions() * areas / areas.sum();
+}
+
+}  // namespace Conformal_geometry_processing

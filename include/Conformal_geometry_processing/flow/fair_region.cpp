@@ -1,0 +1,96 @@
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#include <Conformal_geometry_processing/flow/fair_region.h>
+
+#include <Conformal_geometry_processing/flow/Class_fairing.h>
+#include <Conformal_geometry_processing/flow/Outline_fairing.h>
+#include <Conformal_geometry_processing/mesh/Normalized_frame.h>
+#include <Conformal_geometry_processing/mesh/requirements.h>
+
+#include <Eigen/Core>
+
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace Conformal_geometry_processing {
+
+namespace internal {
+
+/// takes steps from f until they are short
+template <class Fairing>
+void take_steps(const Fairing_patch& patch, Fairing& fairing, const Fairing_options& options,
+                const std::function<bool()>& go_further, Points& f, Fairing_report& report)
+{
+  const Points& p = patch.mesh().positions();
+  const double diagonal = (p.rowwise().maxCoeff() - p.rowwise().minCoeff()).norm();
+  report.message = "all steps are done";
+  for (int k = 0; k < options.max_steps; ++k) {
+    if (!go_further()) {
+      report.message = "cancelled";
+      return;
+    }
+    Fairing_step next = fairing.step(Bending_energy(patch, f));
+    const double way = (next.f - f).colwise().norm().maxCoeff();
+    report.converged = way <= options.tolerance * diagonal;
+    if (next.is_lower) f = std::move(next.f), ++report.steps;
+    if (report.converged || !next.is_lower) {
+      report.message = report.converged ? "" : "no step lowers the energy";
+      return;
+    }
+  }
+}
+
+/// of the faces that move
+inline Conformality map_of_region(const Fairing_patch& patch, const Points& f)
+{
+  std::vector<char> moves;
+  for (int k = 0; k < patch.mesh().size_of_faces(); ++k) moves.push_back(patch.moves(k));
+  const Mesh_component part = selected_faces(patch.mesh(), moves);
+  const Points after = f(Eigen::indexing::all, part.vertices);
+  return conformality(part.mesh, after, neighbourhood_normals(part.mesh, after));
+}
+
+}  // namespace internal
+
+internal::Fairing_result internal::fair_region(const Mesh_view& mesh,
+                                               const std::vector<char>& is_in_region,
+                                               const Fairing_options& options,
+                                               const std::string& function,
+                                               const std::function<bool()>& go_further)
+{
+  require_not_empty(mesh, function);
+  require_finite_positions(mesh, function);
+  require_distinct_corners(mesh, function);
+  require_manifold_edges(mesh, function);
+  require_manifold_vertices(mesh, function);
+  const Normalized_frame frame(mesh.positions());
+  const Mesh_view framed(frame.to_frame(mesh.positions()), mesh.corners());
+  const Fairing_patch patch(framed, is_in_region, function);
+  Fairing_report report;
+  report.free_vertices = patch.size();
+  Points f = patch.mesh().positions();
+  report.initial_energy = Bending_energy(patch, f).value();
+  report.initial_normal_jump = normal_jump(patch, f);
+  if (options.exact_conformal_class) {
+    Class_fairing fairing(patch);
+    take_steps(patch, fairing, options, go_further, f, report);
+    if (report.steps > 0) fairing.polish(f);
+  } else {
+    Outline_fairing fairing(patch);
+    f = fairing.start();
+    take_steps(patch, fairing, options, go_further, f, report);
+  }
+  const Points moved = frame.from_frame(f);
+  Points positions = mesh.positions();
+  for (int k = 0; k < patch.size(); ++k) {
+    const int v = patch.free_vertex(k);
+    positions.col(patch.vertices()[static_cast<std::size_t>(v)]) = moved.col(v);
+  }
+  report.energy = Bending_energy(patch, f).value();
+  report.normal_jump = normal_jump(patch, f);
+  report.conformality = map_of_region(patch, f);
+  return {std::move(positions), std::move(report)};
+}
+
+}  // namespace Conformal_geometry_processing

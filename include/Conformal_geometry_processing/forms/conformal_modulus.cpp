@@ -1,0 +1,42 @@
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#include <Conformal_geometry_processing/forms/conformal_modulus.h>
+
+#include <Conformal_geometry_processing/exceptions.h>
+#include <Conformal_geometry_processing/forms/tree_cotree.h>
+#include <Conformal_geometry_processing/mesh/requirements.h>
+#include <Conformal_geometry_processing/operators/cotan_laplacian.h>
+
+#include <Eigen/Core>
+#include <Eigen/LU>
+
+#include <cmath>
+#include <complex>
+#include <string>
+
+namespace Conformal_geometry_processing {
+
+std::complex<double> reduced_modulus(std::complex<double> tau)
+{
+  const double rounding = 1e-12;
+  for (;;) {
+    tau -= std::round(tau.real());
+    if (std::norm(tau) >= 1 - rounding) return tau;
+    tau = -1. / tau;  // Im tau grows, so the loop terminates
+  }
+}
+
+std::complex<double> conformal_modulus(const Mesh_view& mesh, const Harmonic_basis& basis)
+{
+  require_closed(mesh, "conformal_modulus");
+  if (basis.genus() != 1)
+    throw Precondition_error(
+        "conformal_modulus",
+        "the surface has genus " + std::to_string(basis.genus()) + "; a torus is needed");
+  Eigen::MatrixXd generators = closed_generators(mesh);
+  if (wedge_product(mesh, generators.col(0), generators.col(1)) < 0) generators.col(0) *= -1;
+  const Eigen::Matrix2d periods = basis.coefficients(cotan_weights(mesh), generators);
+  const Eigen::Matrix2d G = periods.transpose() * periods;
+  return reduced_modulus({-G(0, 1) / G(1, 1), std::abs(periods.determinant()) / G(1, 1)});
+}
+
+}  // namespace Conformal_geometry_processing

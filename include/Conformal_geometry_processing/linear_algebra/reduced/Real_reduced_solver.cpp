@@ -1,0 +1,66 @@
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#include <Conformal_geometry_processing/linear_algebra/reduced/Real_reduced_solver.h>
+
+#include <Conformal_geometry_processing/linear_algebra/dense/Solver_status.h>
+#include <Conformal_geometry_processing/linear_algebra/dense/block_operators.h>
+#include <Conformal_geometry_processing/linear_algebra/reduced/reduced_matrix.h>
+
+namespace Conformal_geometry_processing {
+
+Solver_status internal::Real_reduced_solver::analyze(const Sparse_pattern& pattern,
+                                                     const internal::Reduced_rows& rows,
+                                                     const internal::Ordering& order)
+{
+  return internal::guarded([&] {
+    m_rows = Reduced_rows();
+    m_is_factorized = false;
+    if (pattern.size() == 0 || rows.size() != pattern.size() ||
+        order.size() != pattern.offsets.size() - 1 || inverse_permutation(order).empty())
+      return Solver_status::wrong_state;
+    m_matrix = Hermitian_sparse_matrix<FT>(reduced_pattern(pattern, rows));
+    m_entries = pattern.size_of_entries();
+    const Solver_status status =
+        m_solver.analyze(m_matrix.pattern(), reduced_ordering(order, rows));
+    if (status == Solver_status::success) m_rows = rows;
+    return status;
+  });
+}
+
+Solver_status internal::Real_reduced_solver::factorize(const Hermitian_sparse_matrix<Scalar>& X,
+                                                       const Vector<FT>& shift,
+                                                       const internal::Reduced_basis<FT>& basis)
+{
+  return internal::guarded([&] {
+    if (m_rows.size() == 0 || X.size() != m_rows.size() ||
+        X.pattern().size_of_entries() != m_entries || basis.rows() != m_rows ||
+        (shift.size() != 0 && shift.size() != X.size()))
+      return Solver_status::wrong_state;
+    m_is_factorized = false;
+    m_basis = basis;
+    assemble_reduced_matrix(X, m_basis, m_matrix);
+    const Vector<FT> reduced_shift =
+        shift.size() == 0 ? Vector<FT>() : reduced_diagonal(shift, m_rows);
+    const Solver_status status = m_solver.factorize(m_matrix, reduced_shift);
+    m_is_factorized = status == Solver_status::success;
+    return status;
+  });
+}
+
+Solver_status internal::Real_reduced_solver::solve(const Block<Scalar>& b, Block<Scalar>& x) const
+{
+  return internal::guarded([&] {
+    if (!m_is_factorized || b.rows() != m_rows.size()) return Solver_status::wrong_state;
+    Block<FT> solution;
+    const Solver_status status = m_solver.solve(m_basis.coordinates(b), solution);
+    if (status == Solver_status::success) x = m_basis.embed(solution);
+    return status;
+  });
+}
+
+void internal::Real_reduced_solver::release()
+{
+  m_is_factorized = false;
+  release_factor(m_solver);
+}
+
+}  // namespace Conformal_geometry_processing

@@ -1,0 +1,65 @@
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#include <Conformal_geometry_processing/measure/Conformality.h>
+
+#include <Conformal_geometry_processing/measure/distortion.h>
+#include <Conformal_geometry_processing/mesh/Normalized_frame.h>
+
+namespace Conformal_geometry_processing {
+
+// Comparisons are such that NaN is beyond every limit.
+Conformality::Fault Conformality::fault(const Limits& limits) const
+{
+  for (const double Q : {quasi_conformal.mean, quasi_conformal_of_new_area})
+    if (!(Q <= limits.quasi_conformal)) return Fault::not_conformal;
+  if (!(flipped_share <= limits.flipped_share)) return Fault::flipped;
+  if (!(scale.collapsed_share <= limits.collapsed_share)) return Fault::collapsed;
+  return Fault::none;
+}
+
+const char* to_string(Conformality::Fault fault)
+{
+  switch (fault) {
+    case Conformality::Fault::not_conformal:
+      return "the map is not conformal";
+    case Conformality::Fault::flipped:
+      return "too many faces are flipped";
+    case Conformality::Fault::collapsed:
+      return "too much of the surface has collapsed";
+    case Conformality::Fault::none:
+      break;
+  }
+  return "none";
+}
+
+namespace internal {
+
+/// \pre squares of areas neither overflow nor underflow
+Conformality measured_conformality(const Mesh_view& mesh, const Points& positions,
+                                   const Points& expected_normals)
+{
+  const Face_maps maps(mesh, positions);
+  Conformality c;
+  c.quasi_conformal = distribution(maps.quasi_conformal, maps.areas);
+  c.quasi_conformal_of_new_area = maps.quasi_conformal.dot(maps.new_areas) / maps.new_areas.sum();
+  c.length_cross_ratio = length_cross_ratio_change(mesh, positions);
+  c.scale = area_distortion(maps);
+  c.flipped_faces = flipped_faces(mesh, positions, expected_normals);
+  c.flipped_share = double(c.flipped_faces) / mesh.size_of_faces();
+  return c;
+}
+
+}  // namespace internal
+
+Conformality conformality(const Mesh_view& mesh, const Points& positions,
+                          const Points& expected_normals)
+{
+  const internal::Normalized_frame frame(mesh.positions());
+  const bool is_moderate = frame.unit() > 1e-60 && frame.unit() < 1e60;
+  if (is_moderate) return internal::measured_conformality(mesh, positions, expected_normals);
+  Mesh_view in_frame = mesh;
+  in_frame.set_positions(frame.to_frame(mesh.positions()));
+  return internal::measured_conformality(in_frame, frame.to_frame(positions),
+                                         expected_normals / expected_normals.cwiseAbs().maxCoeff());
+}
+
+}  // namespace Conformal_geometry_processing

@@ -1,0 +1,64 @@
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#include <Conformal_geometry_processing/painting/image_filters.h>
+
+#include <Conformal_geometry_processing/exceptions.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace Conformal_geometry_processing {
+namespace internal {
+
+/// Returns the Gaussian with this standard deviation at 0, 1, 2, ..., truncated where the remaining
+/// integral is 6e-7.
+Eigen::VectorXd gauss_weights(double radius)
+{
+  const int reach = radius > 0 ? static_cast<int>(std::ceil(5 * radius)) : 0;
+  Eigen::VectorXd weights = Eigen::VectorXd::Ones(reach + 1);
+  for (int k = 1; k <= reach; ++k) weights[k] = std::exp(-(k / radius) * (k / radius) / 2);
+  return weights;
+}
+
+/// Replaces every column by the weighted mean of the existing neighbouring columns.
+Eigen::ArrayXXd blurred_across(const Eigen::ArrayXXd& pixels, const Eigen::VectorXd& weights)
+{
+  const Eigen::Index reach = weights.size() - 1, last = pixels.cols() - 1;
+  Eigen::ArrayXXd blurred = Eigen::ArrayXXd::Zero(pixels.rows(), pixels.cols());
+  for (Eigen::Index c = 0; c <= last; ++c) {
+    double sum = 0;
+    for (Eigen::Index k = (std::max<Eigen::Index>)(0, c - reach); k <= (std::min)(last, c + reach);
+         ++k) {
+      const double weight = weights[k < c ? c - k : k - c];
+      blurred.col(c) += weight * pixels.col(k);
+      sum += weight;
+    }
+    blurred.col(c) /= sum;
+  }
+  return blurred;
+}
+
+}  // namespace internal
+
+Gray_image blurred(const Gray_image& image, double radius)
+{
+  if (!(radius >= 0 && radius <= 1e6))
+    throw Precondition_error("blurred", "a radius of " + std::to_string(radius) +
+                                            " pixels; a number from 0 to 1000000 is needed");
+  const Eigen::VectorXd weights = internal::gauss_weights(radius);
+  const Eigen::ArrayXXd rows = internal::blurred_across(image.pixels(), weights).transpose();
+  return Gray_image(internal::blurred_across(rows, weights).transpose());
+}
+
+Gray_image filtered(const Gray_image& image, Curvature_band band, double radius, double amount)
+{
+  const Eigen::ArrayXXd high = image.pixels() - blurred(image, radius).pixels();
+  Eigen::ArrayXXd pixels = band_of(image.pixels(), high, band, amount);
+  if (band == Curvature_band::high) pixels += 0.5;
+  return Gray_image(std::move(pixels));
+}
+
+}  // namespace Conformal_geometry_processing

@@ -1,0 +1,205 @@
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#include <Conformal_geometry_processing/spin/Dirac_branch.h>
+
+#include <Conformal_geometry_processing/linear_algebra/dense/block_operators.h>
+#include <Conformal_geometry_processing/linear_algebra/dense/block_products.h>
+#include <Conformal_geometry_processing/linear_algebra/dense/extend_orthonormal.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Stopwatch.h>
+#include <Conformal_geometry_processing/linear_algebra/krylov/Eigensolver_result.h>
+#include <Conformal_geometry_processing/operators/dirac_energy.h>
+#include <Conformal_geometry_processing/spin/Dirac_system.h>
+#include <Conformal_geometry_processing/spin/follow_branch.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace Conformal_geometry_processing::internal {
+
+Dirac_branch::Dirac_branch(System& system, const Curvature_potential& rho,
+                           const Dirac_options& options, Dirac_solution& s,
+                           const Go_further& go_further)
+    : m_system(system),
+      m_rho(rho),
+      m_options(options),
+      m_s(s),
+      m_go_further(go_further),
+      m_one(Quaternion_vector<double>::Constant(system.areas().size(), {1, 0, 0, 0}))
+{
+  m_s.lambda = m_one;
+  add(m_one);
+}
+
+void Dirac_branch::solve(const Is_too_far& is_too_far)
+{
+  Branch_point at, next;
+  double end = 1;
+  place_pole(1, dirac_quotient(m_system.surface(), m_rho, m_one));
+  extend(1);
+  for (m_s.substeps = 1; m_s.substeps <= m_options.max_substeps; ++m_s.substeps) {
+    next = predict(at, end);
+    if (!is_near_pole(next)) place_pole(next.t, next.gamma);
+    const Quaternion_vector<double> before = m_s.lambda;
+    const Branch_point predicted = next;
+    m_s.lambda = combination(m_span, Vectors(next.c)).col(0);
+    // Where the end of the branch is predicted from afar, it is looked at before it is computed.
+    const bool is_sure = m_s.substeps == 1 && !predicted.is_settled;
+    refine(next, next.t == 1 && is_sure ? m_options.tolerance : 1e-3);
+    if (next.t == 1 && !is_sure && is_as_predicted(at, before, predicted, next))
+      refine(next, m_options.tolerance);
+    if (m_s.cancelled || (!m_s.converged && m_s.iterations >= m_options.max_iterations)) break;
+    if (!is_as_predicted(at, before, predicted, next)) {
+      m_s.lambda = before;
+      if (predicted.is_settled) {  // a stage that is tried again with less trust does not count
+        m_may_settle = false;
+        --m_s.substeps;
+      } else {
+        end = (at.t + next.t) / 2;
+      }
+      continue;
+    }
+    at = next;
+    if (at.t == 1) return conclude(at);
+    if (is_too_far && is_too_far(m_s.lambda)) break;
+    end = 1;
+    forget_early_vectors();
+    add(m_s.lambda);
+    extend(3);
+  }
+  m_s.substeps = (std::min)(m_s.substeps, m_options.max_substeps);
+  conclude(next);
+  m_s.converged = false;
+}
+
+void Dirac_branch::correct(const Dirac_solution& guess)
+{
+  Branch_point p;
+  p.t = 1;
+  p.gamma = guess.eigenvalue;
+  if (guess.gap > 0) p.gap = guess.gap;
+  if (guess.branch_gap > 0) p.least_gap = guess.branch_gap;
+  m_s.lambda = guess.lambda;
+  m_is_guess = true;
+  m_system.assemble(potential(1, p.gamma), m_s.seconds);
+  const double energy = inner_product(guess.lambda, m_system.matrix() * guess.lambda).w /
+                        m_system.squared_norm(guess.lambda);
+  const double share = 0.8;  // mu depends on rho, and is less than the energy of the guess
+  const double known = (std::min)(energy, guess.energy);
+  place_pole(1, p.gamma, known > 0 ? share * known : 0);
+  refine(p, m_options.tolerance);
+  conclude(p);
+  if (m_system.overlap(m_s.lambda, guess.lambda) < same_vector) m_s.converged = false;
+}
+
+Curvature_potential Dirac_branch::potential(double t, double sigma) const
+{
+  return {m_rho.on, (t * m_rho.values.array() + sigma).matrix()};
+}
+
+void Dirac_branch::place_pole(double t, double sigma, double energy)
+{
+  const double shift = 1e-3 - energy / m_system.unit();
+  m_pole.t = t;
+  m_pole.gamma = sigma;
+  if (m_is_guess)  // its factor is to stand for the inverse, also in `Spin_derivative`
+    m_system.set_potential(potential(t, sigma), m_s.seconds, shift);
+  else
+    m_system.set_preconditioner(potential(t, sigma), m_s.seconds, shift);
+  const bool is_first = m_system.shift() == shift * m_system.unit();
+  m_s.factorizations += shift > 0 || is_first ? 1 : 2;
+}
+
+bool Dirac_branch::is_near_pole(const Branch_point& p) const
+{
+  return p.t == m_pole.t && std::abs(p.gamma - m_pole.gamma) <= p.least_gap / 4;
+}
+
+bool Dirac_branch::turns_off(const Branch_point& from, const Quaternion_vector<double>& before,
+                             const Branch_point& to) const
+{
+  const double shortest = 1. / 16, greatest_bend = 0.2, step = to.t - from.t;
+  if (step <= shortest) return false;
+  const auto mean = [&](const Quaternion_vector<double>& lambda) {
+    return potential_quotient(m_system.surface(), m_rho, lambda);
+  };
+  const double expected = -step * (mean(before) + mean(m_s.lambda)) / 2;
+  return std::abs(to.gamma - from.gamma - expected) > greatest_bend * to.least_gap;
+}
+
+bool Dirac_branch::is_as_predicted(const Branch_point& from,
+                                   const Quaternion_vector<double>& before,
+                                   const Branch_point& predicted, const Branch_point& to) const
+{
+  const Quaternion_vector<double> expected = combination(m_span, Vectors(predicted.c)).col(0);
+  if (m_system.overlap(m_s.lambda, expected) < same_vector) return false;
+  const double greatest_error = 0.2;
+  return predicted.is_settled
+             ? std::abs(to.gamma - predicted.gamma) <= greatest_error * to.least_gap
+             : !turns_off(from, before, to);
+}
+
+bool Dirac_branch::add(Quaternion_vector<double> v)
+{
+  return extend_orthonormal(m_span, m_system.areas(), std::move(v));
+}
+
+void Dirac_branch::extend(int words)
+{
+  Stopwatch watch;
+  for (int k = 0; k < words && m_span.cols() < most_vectors; ++k) {
+    const Quaternion_vector<double> last = m_span.rightCols(1).col(0);
+    const Vectors b = apply_dirac_form(m_system.surface(), potential(m_pole.t, m_pole.gamma), last);
+    Vectors w;
+    inverse_operator(m_system.solver())(b, w);
+    ++m_s.solves;
+    if (!add(w.col(0))) break;
+  }
+  m_s.seconds.eigenvectors += watch.lap();
+}
+
+void Dirac_branch::forget_early_vectors()
+{
+  const Eigen::Index kept = 5;
+  if (m_span.cols() <= kept + 1) return;
+  m_span.middleCols(1, kept) = m_span.rightCols(kept).eval();
+  m_span.conservativeResize(Eigen::NoChange, kept + 1);
+  m_gram.forget_all_but(kept);
+}
+
+Branch_point Dirac_branch::predict(Branch_point first, double end)
+{
+  const double step = 1. / 48;
+  Branch_point p;
+  for (const double least_overlap : {0.98, 0.9, 0.85}) {
+    if (least_overlap < 0.98) extend(2);
+    Stopwatch watch;
+    m_gram.extend(m_system.surface(), m_rho, m_span);
+    m_s.largest_span = (std::max)(m_s.largest_span, static_cast<int>(m_span.cols()));
+    first.c = gram_matrix(m_span, block_operator(m_system.areas())(Vectors(m_s.lambda))).col(0);
+    components(first.c) /= components(first.c).norm();
+    p = follow_branch(m_gram, first, end, least_overlap);
+    if (p.t < end && m_may_settle) {
+      const Branch_point settled = follow_settled_branch(m_gram, first, end);
+      if (settled.t > p.t) p = settled;
+    }
+    m_s.seconds.eigenvectors += watch.lap();
+    if (p.t == end) return p;
+  }
+  if (p.t == first.t) p.t = (std::min)(end, first.t + step);
+  return p;
+}
+
+void Dirac_branch::conclude(const Branch_point& p)
+{
+  m_s.eigenvalue = p.gamma;
+  m_s.dirac_residual = dirac_misfit(m_system.surface(), potential(p.t, p.gamma), m_s.lambda);
+  m_s.spectral_shift = m_pole.gamma;
+  m_s.gap = std::isfinite(p.gap) ? p.gap : 0;
+  m_s.branch_gap = std::isfinite(p.least_gap) ? p.least_gap : 0;
+  m_s.overlap = m_system.overlap(m_s.lambda, m_one);
+  m_s.lambda = m_system.normalized(std::move(m_s.lambda));
+}
+
+}  // namespace Conformal_geometry_processing::internal

@@ -1,0 +1,162 @@
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#include <Conformal_geometry_processing/spin/Directions_search.h>
+
+#include <Conformal_geometry_processing/linear_algebra/direct/Stopwatch.h>
+#include <Conformal_geometry_processing/linear_algebra/reduced/reduced_operators.h>
+#include <Conformal_geometry_processing/operators/dirac_energy.h>
+#include <Conformal_geometry_processing/spin/Dirac_system.h>
+#include <Conformal_geometry_processing/spin/boundary_fault.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace Conformal_geometry_processing::internal {
+
+Directions_search::Directions_search(Dirac_system& system, const Curvature_potential& rho,
+                                     const Dirac_options& options)
+    : m_system(system), m_rho(rho), m_options(options)
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const bool is_eigenvalue = system.is_self_adjoint();
+  const bool is_any = is_eigenvalue && options.branch != Dirac_options::Branch::zero;
+  m_greatest_value = is_any ? infinity : greatest_misfit(system.surface());
+  m_greatest_eigenvalue = is_any || !is_eigenvalue ? infinity : greatest_zero(system.surface());
+}
+
+void Directions_search::solve(Dirac_solution& s, const Go_further& go_further)
+{
+  Stopwatch watch;
+  take(nearest_to_guide(s, go_further), s);
+  s.eigenvalue = m_system.is_self_adjoint() ? dirac_quotient(m_system.surface(), m_rho, s.lambda)
+                                            : dirac_misfit(m_system.surface(), m_rho, s.lambda);
+  s.seconds.eigenvectors += watch.lap();
+}
+
+Eigensolver_result Directions_search::nearest_to_guide(Dirac_solution& s,
+                                                       const Go_further& go_further) const
+{
+  // The guide may be an eigenvector itself, which gives no information about others.
+  const bool is_one_enough =
+      m_options.kernel_tolerance == 0 && m_options.branch != Dirac_options::Branch::smallest;
+  const int columns = 4;
+  Eigensolver_result r =
+      smallest(guide(), 1, is_one_enough ? m_options.tolerance : 1e-2, s, go_further);
+  if (s.cancelled || (is_one_enough && r.converged && is_solution(r, 0) &&
+                      m_system.overlap(r.vectors.col(0), guide()) >= surely_nearest))
+    return r;
+  s.solves += columns - 1;  // of the noise
+  r = smallest(with_noise(r.vectors, columns), columns, 1e-2, s, go_further);
+  if (s.cancelled) return r;
+  return smallest(r.vectors, wanted(r), m_options.tolerance, s, go_further);
+}
+
+Eigensolver_result Directions_search::smallest(Vectors start, int wanted, double tolerance,
+                                               Dirac_solution& s,
+                                               const Go_further& go_further) const
+{
+  Eigensolver_options o;
+  o.wanted = wanted;
+  o.tolerance = tolerance;
+  o.max_iterations = (std::max)(m_options.max_iterations - s.iterations, 1);
+  o.scale = std::sqrt(m_system.unit());
+  o.coefficients = Coefficients::reals;
+  Eigensolver_result r =
+      lobpcg(reduced_operator(m_system.matrix(), m_system.directions()->basis()),
+             block_operator(m_system.areas()), inverse_operator(m_system.reduced_solver()),
+             std::move(start), o, std::ref(go_further));
+  s.iterations += r.iterations;
+  s.solves += r.solves;
+  s.cancelled = r.cancelled;
+  return r;
+}
+
+auto Directions_search::with_noise(const Vectors& first, int columns) const -> Vectors
+{
+  Vectors all(first.rows(), columns);
+  all << first, m_system.noise(columns - first.cols(), m_options.random_seed);
+  return all;
+}
+
+int Directions_search::wanted(const Eigensolver_result& r) const
+{
+  return (std::max)(column(r), size_of_kernel(r) - 1) + 1;
+}
+
+double Directions_search::singular_value(const Eigensolver_result& r, int c)
+{
+  return std::sqrt((std::max)(r.values[c], 0.));
+}
+
+bool Directions_search::is_solution(const Eigensolver_result& r, int c) const
+{
+  if (singular_value(r, c) > m_greatest_value) return false;
+  if (std::isinf(m_greatest_eigenvalue)) return true;
+  const Quaternion_vector<double> lambda = r.vectors.col(c);
+  return std::abs(dirac_quotient(m_system.surface(), m_rho, lambda)) <= m_greatest_eigenvalue;
+}
+
+int Directions_search::column(const Eigensolver_result& r) const
+{
+  using Branch = Dirac_options::Branch;
+  if (m_options.branch == Branch::smallest) return 0;
+  std::vector<int> candidates;
+  for (int c = 0; c < r.vectors.cols(); ++c)
+    if (is_solution(r, c)) candidates.push_back(c);
+  if (candidates.empty() && m_options.branch == Branch::zero) return 0;
+  if (candidates.empty())
+    for (int c = 0; c < r.vectors.cols(); ++c) candidates.push_back(c);
+  const auto overlap = [&](int c) { return m_system.overlap(r.vectors.col(c), guide()); };
+  return *std::max_element(candidates.begin(), candidates.end(),
+                           [&](int a, int b) { return overlap(a) < overlap(b); });
+}
+
+int Directions_search::size_of_kernel(const Eigensolver_result& r) const
+{
+  int size = 0;
+  while (size < r.values.size() && singular_value(r, size) <= m_options.kernel_tolerance) ++size;
+  return size;
+}
+
+double Directions_search::gap(const Eigensolver_result& r, int first, int end) const
+{
+  const auto value = [&](int c) {
+    return m_system.is_self_adjoint() ? dirac_quotient(m_system.surface(), m_rho,
+                                                       Quaternion_vector<double>(r.vectors.col(c)))
+                                      : singular_value(r, c);
+  };
+  const auto size = static_cast<int>(r.values.size());
+  double least = std::numeric_limits<double>::infinity();
+  for (int own = first; own < end && size > end - first; ++own)
+    for (int c = 0; c < size; ++c)
+      if (c < first || c >= end) least = (std::min)(least, std::abs(value(c) - value(own)));
+  return std::isfinite(least) ? least : 0;
+}
+
+void Directions_search::take(const Eigensolver_result& r, Dirac_solution& s) const
+{
+  const int nearest = column(r), kernel = size_of_kernel(r);
+  s.lambda = r.vectors.col(nearest);
+  s.residual = r.estimates[nearest];
+  if (kernel > 1) {
+    s.lambda.setConstant({});
+    for (int c = 0; c < kernel; ++c) {
+      const double share = inner_product(r.vectors.col(c), m_system.areas(), guide()).w;
+      add_multiple(s.lambda, r.vectors.col(c), Quaternion<double>{share, 0, 0, 0});
+    }
+    s.residual = r.estimates.head(kernel).maxCoeff();
+  }
+  s.converged = s.residual <= m_options.tolerance;
+  s.energy =
+      inner_product(s.lambda, m_system.matrix() * s.lambda).w / m_system.squared_norm(s.lambda);
+  s.gap = kernel > 1 ? gap(r, 0, kernel) : gap(r, nearest, nearest + 1);
+  s.overlap = m_system.overlap(s.lambda, guide());
+  // Takes the sign of the guide, but no rotation, because the directions are fixed.
+  if (inner_product(guide(), m_system.areas(), s.lambda).w < 0) components(s.lambda) *= -1;
+  s.lambda = m_system.normalized(std::move(s.lambda));
+}
+
+}  // namespace Conformal_geometry_processing::internal

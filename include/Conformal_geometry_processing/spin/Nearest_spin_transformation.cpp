@@ -1,0 +1,258 @@
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#include <Conformal_geometry_processing/spin/Nearest_spin_transformation.h>
+
+#include <Conformal_geometry_processing/measure/alignment.h>
+#include <Conformal_geometry_processing/mesh/Boundary_frames.h>
+#include <Conformal_geometry_processing/mesh/Normalized_frame.h>
+#include <Conformal_geometry_processing/mesh/requirements.h>
+#include <Conformal_geometry_processing/spin/Spin_transformation.h>
+#include <Conformal_geometry_processing/spin/Target_search.h>
+#include <Conformal_geometry_processing/spin/checked_target.h>
+#include <Conformal_geometry_processing/spin/curvature_of_spins.h>
+#include <Conformal_geometry_processing/spin/face_spins.h>
+#include <Conformal_geometry_processing/spin/spin_structure.h>
+#include <Conformal_geometry_processing/threads/Thread_team.h>
+
+#include <Eigen/Core>
+
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace Conformal_geometry_processing {
+
+Nearest_spin_transformation::Nearest_spin_transformation(const Mesh_view& mesh, Points target,
+                                                         const std::string& function,
+                                                         const Nearest_spin_options& options)
+    : Nearest_spin_transformation(
+          function, mesh,
+          internal::checked_target(mesh, std::move(target), options.mollification, function),
+          options)
+{
+  const auto [before, after] = internal::in_frame(mesh, m_target);
+  Quaternion_vector<double> faces = face_spins(before, after);
+  if (options.mollification) replace_thin_faces(before, after, faces);
+  m_conflicts = make_consistent(before, faces);
+  use(vertex_spins(before, faces));
+}
+
+Nearest_spin_transformation::Nearest_spin_transformation(const Mesh_view& mesh,
+                                                         const Quaternion_vector<double>& mu,
+                                                         const std::string& function,
+                                                         const Nearest_spin_options& options)
+    : Nearest_spin_transformation(mesh, integrated(mesh, mu, function, options), function, options)
+{
+  m_conflicts = 0;
+  use(mu);
+}
+
+void Nearest_spin_transformation::scale_lengths(const Eigen::VectorXd& factor)
+{
+  const std::string function = "Nearest_spin_transformation::scale_lengths";
+  m_visits.require_no_visit(function);
+  if (factor.size() != m_mu.size())
+    throw Precondition_error(
+        function, std::to_string(factor.size()) +
+                      " factors, one per vertex is needed: " + std::to_string(m_mu.size()));
+  internal::refuse_if_any(
+      static_cast<int>(factor.size()),
+      [&](int v) { return !(factor[v] > 0) || !std::isfinite(factor[v]); },
+      internal::name_of_vertex, function, "#factor not positive", "positive ones are needed");
+  Quaternion_vector<double> scaled = m_mu;
+  for (Eigen::Index v = 0; v < scaled.size(); ++v) scaled[v] *= std::sqrt(factor[v]);
+  m_options.keep_curvature = true;  // the target has other lengths
+  use(std::move(scaled));
+}
+
+Nearest_spin_result Nearest_spin_transformation::transform(const Dirac_options& options,
+                                                           const internal::Go_further& go_further)
+{
+  const internal::Thread_team team;
+  m_visits.require_no_visit(m_function);
+  const auto is_done = [this](const Nearest_spin_result& r) {
+    return m_options.keep_curvature || r.report.cancelled ||
+           m_transformation->system().is_closed() || (r.report && r.distance <= r.source_distance);
+  };
+  const std::optional<Eigen::Vector3d> tangent({1, 0, 0}), binormal({0, 0, 1}), none;
+  Nearest_spin_result found = transform_once(options, m_visits.guarded(go_further));
+  for (const std::optional<Eigen::Vector3d>& direction : {binormal, tangent, none}) {
+    if (is_done(found)) break;
+    if (direction == m_options.direction) continue;
+    use_boundary(direction);
+    Nearest_spin_result next = transform_once(options, m_visits.guarded(go_further));
+    add_costs(next.report, found.report);
+    found = std::move(next);
+  }
+  return found;
+}
+
+Nearest_spin_result Nearest_spin_transformation::transform_once(
+    const Dirac_options& options, const internal::Go_further& go_further)
+{
+  Spin_result guess = m_transformation->transform(m_rho, options, go_further);
+  if (guess.report.cancelled) return placed(std::move(guess), m_rho);
+  align_spins(guess.lambda);
+  Nearest_spin_result start = placed(std::move(guess), m_rho);
+  if (m_options.keep_curvature) return start;
+  if (!m_transformation->system().directions()) {
+    Nearest_spin_result same = unchanged();
+    if (!start.report || !(start.distance < same.distance)) {
+      add_costs(same.report, start.report);
+      start = std::move(same);
+    }
+  }
+  return searched(std::move(start), options, go_further);
+}
+
+Nearest_spin_result Nearest_spin_transformation::searched(Nearest_spin_result start,
+                                                          const Dirac_options& options,
+                                                          const internal::Go_further& go_further)
+{
+  const internal::Framed_surface& domain = m_transformation->domain();
+  const auto* const exactness =
+      m_transformation->exactness_if_looped(Curvature_potential::On::vertices);
+  // What several steps or a bound have made of rho is the transformation by no known rho.
+  const bool is_known = !exactness && start.report.scales.weight == 0;
+  const bool is_turned = m_transformation->system().directions() && !is_known;
+  if (!start.report.converged || is_turned) return start;
+  if (is_known && start.report && m_mismatch.is_reached(start.distance, start.normal_distance))
+    return start;
+  Curvature_potential rho = is_known ? start.rho : no_potential(domain.mesh());
+  rho.values *= domain.unit();
+  // The size of the target must not weigh distances against rho.
+  const Points target =
+      align(m_target, m_transformation->positions(), m_transformation->system().areas())
+          .apply(m_target);
+  internal::Target_search search(*m_transformation, domain.frame().to_frame(target), m_mismatch,
+                                 m_options.scales, std::move(rho), exactness);
+  std::optional<internal::Dirac_solution> first;
+  if (is_known) first = {in_units(start.report, 1 / domain.unit()), start.lambda, 0, {}};
+  search.run(first, options, go_further);
+  Spin_result found = search.best();
+  const bool is_cancelled = found.report.cancelled;
+  if (found.positions.size() > 0) align_spins(found.lambda);
+  rho = {search.potential().on, search.potential().values / domain.unit()};
+  Nearest_spin_result nearest = placed(std::move(found), std::move(rho));
+  const bool is_nearer = nearest.report && nearest.distance <= nearest.source_distance &&
+                         m_mismatch.sum(nearest.distance, nearest.normal_distance) <
+                             m_mismatch.sum(start.distance, start.normal_distance);
+  Nearest_spin_result& best = is_cancelled || is_nearer ? nearest : start;
+  add_costs(best.report, (&best == &start ? nearest : start).report);
+  add_costs(best.report, m_transformation->take_unreported());
+  return std::move(best);
+}
+
+Nearest_spin_result Nearest_spin_transformation::unchanged()
+{
+  const int n = m_transformation->domain().mesh().size_of_vertices();
+  Spin_result same =
+      m_transformation->integrate(Quaternion_vector<double>::Constant(n, {1, 0, 0, 0}));
+  if (m_options.scales.bound) same.report.scales.bound = *m_options.scales.bound;
+  return placed(std::move(same), Curvature_potential::on_vertices(Eigen::VectorXd::Zero(n)));
+}
+
+Nearest_spin_result Nearest_spin_transformation::blend(const Nearest_spin_result& nearest, double t)
+{
+  m_visits.require_no_visit(m_function);
+  Quaternion_vector<double> spins = nearest.lambda;
+  align_spins(spins);
+  for (Eigen::Index v = 0; v < spins.size(); ++v) spins[v] = spins[v] * (1 - t) + m_mu[v] * t;
+  Spin_result between = m_transformation->integrate(std::move(spins));
+  static_cast<internal::Dirac_evidence&>(between.report) = nearest.report;
+  between.report.converged = nearest.report.converged && between.positions.allFinite();
+  return placed(std::move(between), nearest.rho);
+}
+
+Nearest_spin_transformation::Nearest_spin_transformation(const std::string& function,
+                                                         const Mesh_view& mesh, Points target,
+                                                         const Nearest_spin_options& options)
+    : m_function(function),
+      m_options(options),
+      m_target(std::move(target)),
+      m_direction(options.direction),
+      m_transformation(std::make_unique<Spin_transformation>(
+          mesh, transformation_options(Mesh_view(m_target, mesh.corners()), options, m_direction),
+          function)),
+      m_mismatch(mesh, m_target, m_transformation->system().areas(), options.normal_weight,
+                 options.distance_tolerance)
+{}
+
+void Nearest_spin_transformation::use_boundary(const std::optional<Eigen::Vector3d>& direction)
+{
+  m_direction = direction;
+  const Mesh_view mesh(m_transformation->positions(), m_transformation->domain().mesh().corners());
+  m_transformation = std::make_unique<Spin_transformation>(
+      mesh, transformation_options(Mesh_view(m_target, mesh.corners()), m_options, direction),
+      m_function);
+}
+
+void Nearest_spin_transformation::use(Quaternion_vector<double> mu)
+{
+  m_mu = std::move(mu);
+  m_rho = curvature_of_spins(m_transformation->system().surface(), m_mu);
+  m_rho.values /= m_transformation->domain().unit();
+}
+
+Points Nearest_spin_transformation::integrated(const Mesh_view& mesh,
+                                               const Quaternion_vector<double>& mu,
+                                               const std::string& function,
+                                               const Nearest_spin_options& options)
+{
+  Spin_transformation_options own;
+  own.mollification = options.mollification;
+  own.solvers = options.solvers;
+  Spin_transformation transformation(mesh, own, function);
+  return transformation.integrate(mu).positions;
+}
+
+Spin_transformation_options Nearest_spin_transformation::transformation_options(
+    const Mesh_view& target, const Nearest_spin_options& options,
+    const std::optional<Eigen::Vector3d>& direction)
+{
+  Spin_transformation_options own;
+  own.exactness = options.exactness;
+  own.max_period_defect = options.max_period_defect;
+  own.mollification = options.mollification;
+  own.scales = options.scales;
+  own.solvers = options.solvers;
+  if (!direction) return own;
+  const internal::Boundary_frames frames =
+      options.mollification ? boundary_frames(Delaunay_view(target, *options.mollification))
+                            : boundary_frames(target);
+  if (frames.vertices.empty()) return own;
+  Points targets(3, static_cast<Eigen::Index>(frames.vertices.size()));
+  for (std::size_t k = 0; k < frames.vertices.size(); ++k)
+    targets.col(static_cast<Eigen::Index>(k)) = frames.frames[k] * *direction;
+  own.boundary = Boundary_condition::directions(*direction, std::move(targets));
+  return own;
+}
+
+void Nearest_spin_transformation::align_spins(Quaternion_vector<double>& lambda) const
+{
+  const auto& system = m_transformation->system();
+  Quaternion<double> c = inner_product(lambda, system.areas(), m_mu) / system.squared_norm(lambda);
+  if (system.directions()) c = {c.w, 0, 0, 0};
+  for (Quaternion<double>& q : lambda) q = q * c;
+}
+
+Nearest_spin_result Nearest_spin_transformation::placed(Spin_result found,
+                                                        Curvature_potential rho) const
+{
+  Nearest_spin_result result;
+  static_cast<Spin_result&>(result) = std::move(found);
+  result.rho = std::move(rho);
+  if (m_transformation->system().directions()) result.direction = m_direction;
+  if (!result.report.converged || result.report.cancelled) return result;
+  const internal::Target_mismatch::Value here = m_mismatch(result.positions);
+  result.positions = here.alignment.apply(result.positions);
+  result.distance = here.alignment.rms;
+  result.normal_distance = here.normals;
+  result.source_distance = m_mismatch.source().alignment.rms;
+  result.source_normal_distance = m_mismatch.source().normals;
+  return result;
+}
+
+}  // namespace Conformal_geometry_processing

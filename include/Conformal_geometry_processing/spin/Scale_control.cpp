@@ -1,0 +1,94 @@
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#include <Conformal_geometry_processing/spin/Scale_control.h>
+
+#include <Conformal_geometry_processing/exceptions.h>
+#include <Conformal_geometry_processing/measure/Distribution.h>
+#include <Conformal_geometry_processing/spin/log_scales.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace Conformal_geometry_processing::internal {
+
+/// \throw Precondition_error unless there are no values or one per vertex, finite and >= 0
+void require_values(const Eigen::VectorXd& values, Eigen::Index vertices, bool is_zero_allowed,
+                    const std::string& what, const std::string& function)
+{
+  if (values.size() != 0 && values.size() != vertices)
+    throw Precondition_error(function,
+                             std::to_string(values.size()) + " " + what +
+                                 ", one per vertex is needed: " + std::to_string(vertices));
+  for (Eigen::Index v = 0; v < values.size(); ++v)
+    if (!std::isfinite(values[v]) || values[v] < 0 || (values[v] == 0 && !is_zero_allowed))
+      throw Precondition_error(function, "vertex " + std::to_string(v) + " has the value " +
+                                             std::to_string(values[v]) + " among the " + what);
+}
+
+void Scale_control::require(Eigen::Index vertices, const std::string& function) const
+{
+  if (!bound) return;
+  if (!(*bound > 1 && std::isfinite(*bound)))
+    throw Precondition_error(
+        function, "a scale bound of " + std::to_string(*bound) + "; a number above 1 is needed");
+  require_values(factors, vertices, false, "factors of lengths", function);
+  require_values(weights, vertices, true, "weights of scales", function);
+  if (weights.size() != 0 && weights.maxCoeff() == 0)
+    throw Precondition_error(function, "all weights of scales are zero");
+}
+
+/// logs of factors of lengths such that the area is kept
+Eigen::VectorXd with_area_kept(const Eigen::VectorXd& u, const Eigen::VectorXd& areas)
+{
+  const double largest = u.maxCoeff();  // whose square could overflow
+  const double growth = areas.dot((2 * (u.array() - largest)).exp().matrix()) / areas.sum();
+  return u.array() - largest - std::log(growth) / 2;
+}
+
+Spin_report::Scales measured_scales(const Quaternion_vector<double>& lambda,
+                                    const Eigen::VectorXd& areas, const Scale_control& control)
+{
+  Eigen::VectorXd u = with_area_kept(log_scales(lambda), areas), weights = areas;
+  if (control.factors.size() > 0) u -= with_area_kept(control.factors.array().log(), areas);
+  if (control.weights.size() > 0) weights = (control.weights.array() > 0).select(areas, 0);
+  const Distribution up = distribution(u, weights), down = distribution(-u, weights);
+  Spin_report::Scales scales;
+  scales.bound = control.bound.value_or(0);
+  scales.low = std::exp(-down.p99);
+  scales.high = std::exp(up.p99);
+  scales.min = std::exp(-down.max);
+  scales.max = std::exp(up.max);
+  return scales;
+}
+
+bool exceeds_bound_by_far(const Quaternion_vector<double>& lambda, const Eigen::VectorXd& areas,
+                          const Scale_control& control)
+{
+  const double margin = 2;
+  return control.bound && control.factors.size() == 0 &&
+         measured_scales(lambda, areas, control).excess() > margin;
+}
+
+Eigen::VectorXd wanted_log_scales(const Eigen::VectorXd& areas, const Scale_control& control)
+{
+  if (control.factors.size() == 0) return Eigen::VectorXd::Zero(areas.size());
+  return control.factors.array().log();
+}
+
+void measure_kept(const Curvature_potential& rho, const Curvature_potential& found,
+                  const Eigen::VectorXd& areas, bool is_closed, Spin_report::Scales& scales)
+{
+  const auto effect = [&](const Eigen::VectorXd& v) {
+    return Eigen::VectorXd(v.array() - (is_closed ? areas.dot(v) / areas.sum() : 0));
+  };
+  const Eigen::VectorXd a = effect(rho.values), b = effect(found.values);
+  const double wanted = std::sqrt(areas.dot(a.cwiseAbs2()));
+  const double kept = std::sqrt(areas.dot(b.cwiseAbs2()));
+  if (wanted == 0) return;
+  scales.kept_norm = kept / wanted;
+  scales.kept_correlation = kept == 0 ? 0 : areas.dot(a.cwiseProduct(b)) / (wanted * kept);
+}
+
+}  // namespace Conformal_geometry_processing::internal

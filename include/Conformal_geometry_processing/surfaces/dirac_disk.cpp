@@ -1,0 +1,23 @@
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#include <Conformal_geometry_processing/surfaces/dirac_disk.h>
+
+#include <Eigen/Core>
+
+#include <string>
+#include <utility>
+
+namespace Conformal_geometry_processing {
+
+Spin_result dirac_disk(const Mesh_view& mesh, double wanted, Dirac_options options,
+                       const std::string& function)
+{
+  Spin_transformation transformation(mesh, {Boundary_condition::binormals()}, function);
+  options.branch = Dirac_options::Branch::smallest;
+  const auto rho =
+      Curvature_potential::on_vertices(Eigen::VectorXd::Constant(mesh.size_of_vertices(), wanted));
+  Spin_result result = std::move(transformation).transform(rho, options);
+  result.report.limits.map.flipped_share = 0;
+  return result;
+}
+
+}  // namespace Conformal_geometry_processing

@@ -1,0 +1,73 @@
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#include <Conformal_geometry_processing/surfaces/dirac_sphere.h>
+
+#include <Conformal_geometry_processing/measure/energies.h>
+#include <Conformal_geometry_processing/mesh/in_own_frame.h>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+
+#include <cmath>
+#include <string>
+
+namespace Conformal_geometry_processing {
+namespace internal {
+
+/// Returns the centre of the best-fitting sphere, by least squares of |p - c|^2 - r^2.
+/// \pre positions are of moderate size
+Eigen::Vector3d center_of_sphere(const Points& positions)
+{
+  const Eigen::Vector3d mean = positions.rowwise().mean();
+  const Points p = positions.colwise() - mean;
+  const Eigen::RowVectorXd squares = p.colwise().squaredNorm();
+  // 2 <p, c> - squares is constant, so the covariance of p with its squares determines c.
+  const Eigen::Matrix3d A = 2 * p * p.transpose();
+  const Eigen::Vector3d b = p * squares.transpose();
+  return mean + A.ldlt().solve(b);
+}
+
+}  // namespace internal
+
+Points directions_on_sphere(const Mesh_view& mesh, const std::string& function)
+{
+  require_not_empty(mesh, function);
+  require_finite_positions(mesh, function);
+  const Mesh_view framed = internal::in_own_frame(mesh);
+  const Eigen::Vector3d center = internal::center_of_sphere(framed.positions());
+  Points directions = framed.positions().colwise() - center;
+  const double radius = directions.colwise().norm().mean();
+  internal::refuse_if_any(
+      mesh.size_of_vertices(),
+      [&](int v) { return !(std::abs(directions.col(v).norm() - radius) <= 1e-3 * radius); },
+      internal::name_of_vertex, function, "#vertex away from the sphere",
+      "a round sphere is needed");
+  if (signed_volume(framed) < 0)
+    throw Precondition_error(function, "the normals point inward; turn the faces around");
+  return directions / radius;
+}
+
+Spin_result surface_of_spin(const Mesh_view& mesh, Quaternion_vector<double> lambda,
+                            const std::string& function, const Spin_solvers& solvers)
+{
+  Spin_transformation_options own;
+  own.solvers = solvers;
+  Spin_transformation transformation(mesh, own, function);
+  if (lambda.size() == mesh.size_of_vertices()) fix_gauge(lambda, vertex_areas(mesh));
+  Spin_result result = transformation.integrate(std::move(lambda));
+  result.report.eigenvalue = dirac_quotient(mesh, no_potential(mesh), result.lambda);
+  return result;
+}
+
+Spin_result spin_to_dirac_sphere(const Mesh_view& mesh, int kappa, int s,
+                                 const std::string& function, const Spin_solvers& solvers)
+{
+  require_spherical_spinor(kappa, s, function);
+  require_surface(mesh, function);
+  require_closed(mesh, function);
+  const Points p = directions_on_sphere(mesh, function);
+  Quaternion_vector<double> lambda(p.cols());
+  for (Eigen::Index v = 0; v < p.cols(); ++v) lambda[v] = spherical_spinor(kappa, s, p.col(v));
+  return surface_of_spin(mesh, std::move(lambda), function, solvers);
+}
+
+}  // namespace Conformal_geometry_processing

@@ -1,0 +1,88 @@
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#include <Conformal_geometry_processing/surfaces/hopf_torus.h>
+
+#include <Conformal_geometry_processing/algebra/rotor.h>
+#include <Conformal_geometry_processing/surfaces/stereographic_projection.h>
+#include <Conformal_geometry_processing/surfaces/torus_grid.h>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <string>
+
+namespace Conformal_geometry_processing {
+
+Hopf_torus::Hopf_torus(const Points& curve, const std::string& function)
+{
+  const auto m = curve.cols();
+  if (m < 3)
+    throw Precondition_error(
+        function, "the curve has " + std::to_string(m) + " points, wanted three at least");
+  Eigen::Vector3d last = direction(curve, 0, function);
+  m_lift.push_back(rotor<double>(Eigen::Vector3d::UnitZ(), last));
+  m_places.push_back(0);
+  for (Eigen::Index k = 1; k <= m; ++k) {
+    const Eigen::Vector3d next = direction(curve, k % m, function);
+    const double angle = std::atan2(last.cross(next).norm(), last.dot(next));
+    if (!(angle > 1e-12 && angle < 3.14159265))
+      throw Precondition_error(
+          function, "point " + std::to_string(k % m) + " is the last one again, or opposite to it");
+    m_lift.push_back(m_lift.back() * rotor(last, next));
+    m_places.push_back(m_places.back() + angle);
+    last = next;
+  }
+}
+
+double Hopf_torus::area() const
+{
+  const double whole = 16 * std::atan(1.), A = 2 * std::fmod(-holonomy(), whole / 2);
+  return A < 0 ? A + whole : A;
+}
+
+std::complex<double> Hopf_torus::modulus() const
+{
+  const double turn = 8 * std::atan(1.);
+  return {area() / 2 / turn, length() / 2 / turn};
+}
+
+Mesh_view Hopf_torus::mesh(int n, const std::string& function) const
+{
+  const double turn = 8 * std::atan(1.), columns = n / turn;
+  const int m = static_cast<int>(m_lift.size()) - 1;
+  // The grid closes after an integral number of columns; the remaining shear is less than half a
+  // column in total.
+  const int shift = static_cast<int>(std::round(holonomy() * columns));
+  const double shear = shift / columns - holonomy();
+  return torus_grid(m, n, shift, [&](int i, int j) {
+    const std::size_t row = static_cast<std::size_t>(i);
+    const double x = j / columns + shear * m_places[row] / length();
+    const Quaternion<double> q = Quaternion<double>{std::cos(x), 0, 0, std::sin(x)} * m_lift[row];
+    // The fibre over that point consists of quaternions without i and j.
+    if (!(q.x * q.x + q.y * q.y > 1e-20))
+      throw Precondition_error(function,
+                               "the curve goes through (0, 0, 1), which is sent to "
+                               "infinity; turn the curve");
+    return stereographic_projection(q);
+  });
+}
+
+Eigen::Vector3d Hopf_torus::direction(const Points& curve, Eigen::Index k,
+                                      const std::string& function)
+{
+  const double size = curve.col(k).stableNorm();
+  if (!(size > 0) || !std::isfinite(size))
+    throw Precondition_error(function,
+                             "point " + std::to_string(k) + " of the curve is zero or not finite");
+  return curve.col(k) / size;
+}
+
+double Hopf_torus::holonomy() const
+{
+  const Quaternion<double> e = m_lift.back() * conjugate(m_lift.front());
+  return std::atan2(e.z, e.w);
+}
+
+}  // namespace Conformal_geometry_processing

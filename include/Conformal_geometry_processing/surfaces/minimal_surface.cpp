@@ -1,0 +1,94 @@
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#include <Conformal_geometry_processing/surfaces/minimal_surface.h>
+
+#include <Conformal_geometry_processing/algebra/rotor.h>
+#include <Conformal_geometry_processing/algebra/stable_norm.h>
+#include <Conformal_geometry_processing/mesh/Boundary_frames.h>
+#include <Conformal_geometry_processing/mesh/mean_edge_length.h>
+#include <Conformal_geometry_processing/operators/mass_matrices.h>
+#include <Conformal_geometry_processing/spin/boundary_fault.h>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <cmath>
+#include <cstddef>
+
+namespace Conformal_geometry_processing {
+
+double minimal_kernel_tolerance(const Mesh_view& mesh)
+{
+  const double pi = std::acos(-1.);
+  return boundary_loops(mesh).size() > 1 ? 3 * mean_edge_length(mesh) * pi / face_areas(mesh).sum()
+                                         : 0;
+}
+
+void internal::judge_minimality(const Mesh_view& mesh, const Boundary_condition& condition,
+                                Spin_report& report)
+{
+  if (condition.is_self_adjoint() && std::abs(report.eigenvalue) > greatest_zero(mesh))
+    report.boundary_fault = Spin_report::Boundary_fault::not_realizable;
+}
+
+Boundary_condition internal::part_of_turn(const Mesh_view& mesh, Boundary_condition condition,
+                                          double share)
+{
+  if (condition.targets.cols() == 0) return condition;
+  const Boundary_frames b = boundary_frames(mesh);
+  for (std::size_t k = 0; k < b.frames.size(); ++k) {
+    auto target = condition.targets.col(static_cast<Eigen::Index>(k));
+    const Eigen::Vector3d present = b.frames[k] * stable_normalized(condition.direction);
+    const Quaternion<double> q = rotor<double>(present, stable_normalized(target));
+    const Eigen::Quaterniond turn(q.w, -q.x, -q.y, -q.z);  // v -> turn v conjugate(turn)
+    target = Eigen::Quaterniond::Identity().slerp(share, turn) * present;
+  }
+  return condition;
+}
+
+Spin_result internal::spin_towards_minimal_surface(const Mesh_view& mesh, double share,
+                                                   Spin_transformation_options own,
+                                                   const Dirac_options& options,
+                                                   const std::string& function,
+                                                   const Go_further& go_further)
+{
+  if (share < 1) own.boundary = part_of_turn(mesh, own.boundary, share);
+  const auto rho = Curvature_potential::on_vertices(-share * mean_curvature(mesh));
+  Spin_result result = Spin_transformation(mesh, own, function).transform(rho, options, go_further);
+  judge_minimality(mesh, own.boundary, result.report);
+  return result;
+}
+
+double internal::share_of_way_to_minimal_surface(const Mesh_view& mesh,
+                                                 const Spin_transformation_options& own,
+                                                 const Dirac_options& options,
+                                                 const std::string& function,
+                                                 const Go_further& go_further)
+{
+  double exists = 0, fails = 1;
+  for (int k = 0; k < 6; ++k) {
+    const double share = (exists + fails) / 2;
+    const Spin_report r =
+        spin_towards_minimal_surface(mesh, share, own, options, function, go_further).report;
+    if (r.cancelled) break;
+    (r ? exists : fails) = share;
+  }
+  return exists;
+}
+
+Spin_result spin_to_minimal_surface(const Mesh_view& mesh, Spin_transformation_options own,
+                                    Dirac_options options, const std::string& function,
+                                    const internal::Go_further& go_further)
+{
+  own.exactness = std::nullopt;  // steps would leave the curvature that makes it minimal
+  using Branch = Dirac_options::Branch;
+  if (options.branch == Branch::nearest) options.branch = Branch::zero;
+  if (options.kernel_tolerance == 0) options.kernel_tolerance = minimal_kernel_tolerance(mesh);
+  Spin_result result =
+      internal::spin_towards_minimal_surface(mesh, 1, own, options, function, go_further);
+  if (result.report.fault() == Spin_report::Fault::boundary && !own.mollification)
+    result.report.reached =
+        internal::share_of_way_to_minimal_surface(mesh, own, options, function, go_further);
+  return result;
+}
+
+}  // namespace Conformal_geometry_processing
