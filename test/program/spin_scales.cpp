@@ -79,4 +79,25 @@ TEST_F(Spin_scales, exact_class_keeps_length_cross_ratios_with_and_without_a_bou
   }
 }
 
+TEST_F(Spin_scales, the_realised_change_of_curvature_is_told_and_noted_where_it_falls_short)
+{
+  write("a.off", off(cgp_test::dumbbell(3)));
+  const Program_run weak = run("spin a.off --rho-expression '.3*sin(2*y)' -o b.ply --json b.json");
+  ASSERT_EQ(weak.code, 0);
+  const auto good = read_json("b.json")["result"]["realised_curvature"];
+  EXPECT_GT(good["agreement"], .8);
+  EXPECT_EQ(good["least_agreement"], .5);
+  EXPECT_EQ(good["wrong_sign"], 0);
+  EXPECT_EQ(weak.err.find("the curvature has changed by"), std::string::npos);
+  const Program_run bounded =
+      run("spin a.off --rho-expression '6*sin(4*y+.4)' --max-scale 1.05 -o b.ply --json b.json "
+          "--min-realised 0");
+  ASSERT_EQ(bounded.code, 0);
+  const auto poor = read_json("b.json")["result"]["realised_curvature"];
+  EXPECT_LT(poor["agreement"], .5);
+  EXPECT_GT(poor["left_out"], .3);
+  EXPECT_NE(bounded.err.find("the curvature has changed by"), std::string::npos);
+  EXPECT_NE(bounded.err.find("a larger --max-scale"), std::string::npos);
+}
+
 }  // namespace cgp_test::spin_scales_tests

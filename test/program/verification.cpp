@@ -77,4 +77,25 @@ TEST(Verification, objects_to_each_fault_and_to_what_is_no_number)
             std::string::npos);
 }
 
+TEST(Verification, tells_what_helps_where_curvature_has_changed_otherwise)
+{
+  CGP::Spin_report report = faultless();
+  EXPECT_EQ(conformal::shortfall(report), "");
+  report.realised_curvature = CGP::Realised_curvature{};
+  report.realised_curvature->share = .25;
+  report.realised_curvature->correlation = .5;
+  const auto tells = [&](const std::string& words) {
+    return conformal::shortfall(report).find(words) != std::string::npos;
+  };
+  EXPECT_TRUE(tells("changed by 25 % of rho with a correlation of 0.5"));
+  EXPECT_TRUE(tells("a finer mesh"));
+  EXPECT_FALSE(tells("--max-scale"));
+  report.missing_share = .8;
+  EXPECT_TRUE(tells("--open-handles"));
+  report.scales.bound = 2;
+  report.scales.weight = .1;
+  EXPECT_TRUE(tells("a larger --max-scale"));
+  EXPECT_EQ(objection_to(report), "");  // not yet a fault
+}
+
 }  // namespace cgp_test::verification_tests

@@ -49,6 +49,7 @@ def members(header, struct):
     ("measure/Conformality.h", "Conformality", cg.Conformality),
     ("parameterization/Parameterization_report.h", "Parameterization_report",
      cg.Parameterization_report),
+    ("measure/Realised_curvature.h", "Realised_curvature", cg.Realised_curvature),
     ("spin/Class_snap_report.h", "Class_snap_report", cg.Class_snap_report),
 ])
 def test_reports_have_all_fields(header, struct, report):

@@ -153,4 +153,23 @@ TEST(Spin_report, is_no_success_if_the_map_is_not_conformal)
   expect_fault(report, Fault::map);
 }
 
+TEST(Spin_report, falls_short_where_the_curvature_has_changed_otherwise)
+{
+  CGP::Spin_report report;
+  EXPECT_FALSE(report.falls_short());  // not measured
+  for (const double share : {.8, 5.}) {
+    report.realised_curvature = CGP::Realised_curvature{};
+    report.realised_curvature->share = share;
+    report.realised_curvature->correlation = .9;
+    EXPECT_FALSE(report.falls_short());
+    report.realised_curvature->correlation = .4;
+    EXPECT_TRUE(report.falls_short());
+    report.limits.agreement = .3;
+    EXPECT_FALSE(report.falls_short());
+    report.limits.agreement = .5;
+    report.realised_curvature->correlation = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_TRUE(report.falls_short());
+  }
+}
+
 }  // namespace cgp_test::spin_report_tests

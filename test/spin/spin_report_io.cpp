@@ -119,4 +119,17 @@ TEST(Spin_report_io, tells_the_substeps_only_where_there_were_some)
   EXPECT_TRUE(contains(printed(report), "in 3 substeps"));
 }
 
+TEST(Spin_report_io, prints_the_realised_change_of_curvature)
+{
+  CGP::Spin_report report;
+  EXPECT_FALSE(contains(printed(report), "change of curvature"));
+  report.realised_curvature = CGP::Realised_curvature{};
+  report.realised_curvature->share = .75;
+  report.realised_curvature->correlation = .5;
+  report.realised_curvature->wrong_sign = .125;
+  EXPECT_TRUE(
+      contains(printed(report),
+               "change of curvature    75 % of rho, correlation 0.5, wrong sign on 12.5 %"));
+}
+
 }  // namespace cgp_test::spin_report_io_tests

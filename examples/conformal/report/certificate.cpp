@@ -5,6 +5,7 @@
 
 #include "conformal/process/text.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -31,6 +32,33 @@ void report_details(const CGP::Spin_report& spin, Report& report)
   report.set("result/added_share", spin.added_share);
   report.set("result/period_defect", spin.period_defect);
   report.set("steps", Report::Value(std::vector<double>()));
+}
+
+/// the norm of what rho lacks after the bound on lengths and the closing of handles
+double left_out_share(const CGP::Spin_report& spin)
+{
+  return (std::max)(spin.missing_share, spin.scales.bound > 0 ? spin.scales.distance() : 0.);
+}
+
+void tell_realised_curvature(const CGP::Spin_report& spin, Report& report)
+{
+  const auto& realised = spin.realised_curvature;
+  if (!realised) return;
+  const std::string place = "result/realised_curvature/";
+  report.set(place + "agreement", realised->agreement());
+  report.set(place + "least_agreement", spin.limits.agreement);
+  report.set(place + "share", realised->share);
+  report.set(place + "correlation", realised->correlation);
+  report.set(place + "distance", realised->distance);
+  report.set(place + "wrong_sign", realised->wrong_sign);
+  report.set(place + "seen_share", realised->seen_share);
+  report.set(place + "judged_share", realised->judged_share);
+  report.set(place + "left_out", left_out_share(spin));
+  report.show(
+      "change of curvature, measured (% of rho)",
+      text_of(100 * realised->share, 3) + ", correlation " + text_of(realised->correlation, 3));
+  report.show("change of curvature of the wrong sign (% of the area)",
+              text_of(100 * realised->wrong_sign, 3));
 }
 
 void tell_exact_class(const std::optional<CGP::internal::Class_snap_report>& snap, Report& report)
@@ -103,6 +131,7 @@ void tell_certificate(const CGP::Spin_report& spin, int faces, Outcome& outcome)
     report.show("added to rho, to close holes (% of the curvature of a sphere)",
                 text_of(100 * spin.added_share, 3));
   tell_scales(spin.scales, report);
+  tell_realised_curvature(spin, report);
   tell_exact_class(spin.exact_class, report);
   tell_mollification(spin.mollification, report);
   tell_conformality(spin.conformality, measured_faces(spin, faces), report);

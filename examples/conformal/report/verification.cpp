@@ -110,12 +110,28 @@ std::string objection(const CGP::Spin_report& report, const CGP::Points& positio
     case Fault::exact_class:
       return "the exact conformal class is not reached; try: " + easier +
              ", or without --exact-class";
+    case Fault::unrealised:
+      return shortfall(report);
     case Fault::map:
     case Fault::none:
       break;
   }
   if (!positions.allFinite()) return "coordinates are not finite; try: " + easier;
   return objection(report.conformality, limits, easier);
+}
+
+std::string shortfall(const CGP::Spin_report& report)
+{
+  if (!report.falls_short()) return {};
+  const CGP::Realised_curvature& realised = *report.realised_curvature;
+  const bool is_bound = report.scales.weight > 0;
+  const bool has_handles = report.missing_share > 0.5;
+  return "the curvature has changed by " + text_of(100 * realised.share, 3) +
+         " % of rho with a correlation of " + text_of(realised.correlation, 3) +
+         ", measured on the new surface; try: " +
+         (is_bound      ? "a larger --max-scale, rho with larger features, or a finer mesh"
+          : has_handles ? "rho with smaller features, or --open-handles"
+                        : "a weaker rho, or a finer mesh");
 }
 
 std::string objection(const CGP::Conformality& map, const Verification_limits& limits,

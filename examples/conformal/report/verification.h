@@ -54,6 +54,9 @@ std::string objection(const CGP::Spin_report& report, const CGP::Points& positio
 std::string objection(const CGP::Conformality& map, const Verification_limits& limits,
                       const std::string& easier);
 
+/// What a solution has realised of rho, with what to try, if that is too little; empty otherwise.
+std::string shortfall(const CGP::Spin_report& report);
+
 /// the number of faces that were measured: without thin faces, where these were taken as they are
 int measured_faces(const CGP::Spin_report& report, int faces);
 

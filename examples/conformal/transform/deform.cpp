@@ -16,6 +16,7 @@ void note_departures(const Spin_solution& solution, Session& session)
 {
   const CGP::Spin_report& report = solution.report;
   if (!solution.note.empty()) session.note(solution.note);
+  if (const std::string text = shortfall(report); !text.empty()) session.note(text);
   if (report.reached < 1)
     session.note("only " + text_of(100 * report.reached, 3) +
                  " % of the way to rho: beyond, the handles and holes do not stay closed");

@@ -129,6 +129,7 @@ CGP::Spin_report::Limits limits(const py::dict& options)
   take(options, "direction_error", l.direction_error);
   take(options, "realised_share", l.realised_share);
   take(options, "kept_norm", l.kept_norm);
+  take(options, "agreement", l.agreement);
   take(options, "quasi_conformal", l.map.quasi_conformal);
   take(options, "flipped_share", l.map.flipped_share);
   take(options, "collapsed_share", l.map.collapsed_share);

@@ -49,6 +49,13 @@ py::dict as_dict(const CGP::Spin_report::Scales& s)
                   "kept_correlation"_a = s.kept_correlation);
 }
 
+py::dict as_dict(const CGP::Realised_curvature& r)
+{
+  return py::dict("share"_a = r.share, "correlation"_a = r.correlation, "distance"_a = r.distance,
+                  "wrong_sign"_a = r.wrong_sign, "seen_share"_a = r.seen_share,
+                  "judged_share"_a = r.judged_share);
+}
+
 py::dict as_dict(const CGP::Spin_report::Seconds& s)
 {
   return py::dict("setup"_a = s.setup, "exactness"_a = s.exactness, "assembly"_a = s.assembly,
@@ -58,11 +65,11 @@ py::dict as_dict(const CGP::Spin_report::Seconds& s)
 
 py::dict as_dict(const CGP::Spin_report::Limits& l)
 {
-  return py::dict("residual"_a = l.residual, "closure"_a = l.closure,
-                  "direction_error"_a = l.direction_error, "realised_share"_a = l.realised_share,
-                  "kept_norm"_a = l.kept_norm, "quasi_conformal"_a = l.map.quasi_conformal,
-                  "flipped_share"_a = l.map.flipped_share,
-                  "collapsed_share"_a = l.map.collapsed_share);
+  return py::dict(
+      "residual"_a = l.residual, "closure"_a = l.closure, "direction_error"_a = l.direction_error,
+      "realised_share"_a = l.realised_share, "kept_norm"_a = l.kept_norm,
+      "agreement"_a = l.agreement, "quasi_conformal"_a = l.map.quasi_conformal,
+      "flipped_share"_a = l.map.flipped_share, "collapsed_share"_a = l.map.collapsed_share);
 }
 
 py::dict as_dict(const CGP::Parameterization_report::Seconds& s)
@@ -138,6 +145,8 @@ py::dict as_dict(const CGP::Spin_report& r)
   d["position_error"] = mean_and_max(r.position_error);
   d["mollification"] = as_dict(r.mollification);
   d["scales"] = as_dict(r.scales);
+  d["realised_curvature"] =
+      r.realised_curvature ? py::object(as_dict(*r.realised_curvature)) : py::object(py::none());
   d["exact_class"] = r.exact_class ? py::object(as_dict(*r.exact_class)) : py::object(py::none());
   d["closure_residual"] = r.closure_residual;
   d["conformality"] = as_dict(r.conformality);

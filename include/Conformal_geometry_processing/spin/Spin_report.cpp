@@ -45,6 +45,8 @@ const char* to_string(Spin_report::Fault fault)
       return "lengths change by more than the bound";
     case Fault::exact_class:
       return "the exact conformal class is not reached";
+    case Fault::unrealised:
+      return "the curvature has not changed as requested";
     case Fault::map:
       return "the map is not conformal, flips or collapses";
     case Fault::none:
@@ -56,6 +58,11 @@ const char* to_string(Spin_report::Fault fault)
 Spin_report::operator bool() const
 {
   return fault() == Fault::none;
+}
+
+bool Spin_report::falls_short() const
+{
+  return realised_curvature && !(realised_curvature->agreement() >= limits.agreement);
 }
 
 double Spin_report::Scales::excess() const

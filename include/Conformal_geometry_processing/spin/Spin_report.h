@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Conformal_geometry_processing/measure/Conformality.h>
+#include <Conformal_geometry_processing/measure/Realised_curvature.h>
 #include <Conformal_geometry_processing/spin/Class_snap_report.h>
 #include <Conformal_geometry_processing/spin/Dirac_solution.h>
 
@@ -92,6 +93,10 @@ struct [[nodiscard]] Spin_report : internal::Dirac_evidence {
   Conformality conformality;  ///< of the map from the old surface to the new one
   double min_spin_ratio = 0;  ///< min |lambda| / max |lambda|; near zero if the map degenerates
 
+  /// what the positions have of the given rho, all of it, before a part was left out; none if it is
+  /// constant, or the method has another aim than rho
+  std::optional<Realised_curvature> realised_curvature;
+
   /// of the map on the collar of a region of interest, where the deformation fades out; none if
   /// there is no region
   std::optional<Conformality> collar;
@@ -111,6 +116,7 @@ struct [[nodiscard]] Spin_report : internal::Dirac_evidence {
     double direction_error = 0.18;  ///< of its mean, in radians: ten degrees
     double realised_share = 0.44;   ///< the least: the norm left out is .9 then
     double kept_norm = 0.1;         ///< the least of `Scales::kept_norm`
+    double agreement = 0.5;         ///< the least of `Realised_curvature::agreement()`
     Conformality::Limits map;
   };
 
@@ -127,6 +133,7 @@ struct [[nodiscard]] Spin_report : internal::Dirac_evidence {
     open,          ///< the new edges do not close up, or not around handles and holes
     scales,        ///< lengths change by more than the bound
     exact_class,   ///< the exact discrete conformal class is not reached
+    unrealised,    ///< `falls_short()`; not reported yet
     map            ///< see `Conformality::fault()`
   };
 
@@ -136,6 +143,10 @@ struct [[nodiscard]] Spin_report : internal::Dirac_evidence {
   /// It is solved, conformal, closed, not flipped, not collapsed, and has the boundary, the better
   /// part of the rho, and the exact conformal class that were requested.
   Fault fault() const;
+
+  /// \brief whether the curvature of the new surface has changed otherwise than requested:
+  /// `Realised_curvature::agreement()` is below its limit. A warning, not yet a fault.
+  bool falls_short() const;
 
   Limits limits;  ///< what `fault()` and the conversion to `bool` judge by
 

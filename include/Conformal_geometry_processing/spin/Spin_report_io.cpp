@@ -65,6 +65,10 @@ std::ostream& operator<<(std::ostream& out, const Spin_report& r)
   if (r.collar)
     out << "collar                 quasi-conformal error " << r.collar->quasi_conformal.mean
         << " in the mean, " << r.collar->quasi_conformal.max << " at most\n";
+  if (const auto& realised = r.realised_curvature)
+    out << "change of curvature    " << 100 * realised->share << " % of rho, correlation "
+        << realised->correlation << ", wrong sign on " << 100 * realised->wrong_sign
+        << " % of the area, distance " << realised->distance << '\n';
   internal::print_conformality(out, r.conformality);
   return out << "fault                  " << internal::reason_of(r) << '\n';
 }

@@ -143,15 +143,22 @@ Spin_result Spin_transformation::transform(const Curvature_potential& rho,
     return transform(rho, options, go_further);
   require_potential(rho);
   if (m_options.exactness && has_loops())
-    return internal::Exact_steps(*this, rho, m_options).run(options, m_visits.guarded(go_further));
+    return judged(transform_exactly(rho, options, go_further), rho);
   Spin_result result = solve(rho, options, go_further);
   system().release();
   if (!result.report.cancelled) reconstruct(result);
-  return result;
+  return judged(std::move(result), rho);
 }
 
 Spin_result Spin_transformation::step(const Curvature_potential& rho, const Dirac_options& options,
                                       const internal::Go_further& go_further)
+{
+  return judged(trial_step(rho, options, go_further), rho);
+}
+
+Spin_result Spin_transformation::trial_step(const Curvature_potential& rho,
+                                            const Dirac_options& options,
+                                            const internal::Go_further& go_further)
 {
   const internal::Thread_team team;
   m_visits.require_no_visit(m_function);
@@ -225,6 +232,22 @@ void Spin_transformation::reconstruct(Spin_result& result)
   internal::certify(domain().measured(), f, result.lambda, r);
   judge_boundary(f, r);
   r.seconds.certificate = watch.lap();
+}
+
+Spin_result Spin_transformation::judged(Spin_result result, const Curvature_potential& rho) const
+{
+  Spin_report& r = result.report;
+  if (r.cancelled || result.positions.cols() == 0) return result;
+  internal::Stopwatch watch;
+  const auto& pattern = system().matrix().shared_pattern();
+  internal::Solver_ref<double> solver = system().solver().another<double>();
+  internal::check_smoothing("analysis", solver.analyze_like(*pattern, system().solver()));
+  r.realised_curvature = internal::realised_curvature(
+      domain().mesh(), domain().frame().to_frame(result.positions),
+      {rho.on, domain().unit() * rho.values}, !system().is_self_adjoint(), system().surface(),
+      pattern, std::move(solver));
+  r.seconds.certificate += watch.lap();
+  return result;
 }
 
 void Spin_transformation::judge_boundary(const Points& f, Spin_report& report) const

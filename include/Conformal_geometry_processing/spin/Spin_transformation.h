@@ -152,6 +152,10 @@ class Spin_transformation {
   Spin_result step(const Curvature_potential& rho, const Dirac_options& options = {},
                    const internal::Go_further& go_further = internal::Always_go_further());
 
+  /// \brief `step()` without `Spin_report::realised_curvature`, for searches that try several.
+  Spin_result trial_step(const Curvature_potential& rho, const Dirac_options& options = {},
+                         const internal::Go_further& go_further = internal::Always_go_further());
+
   /// \brief computes the surface with given spins, whether they solve a Dirac equation or not.
   ///
   /// `report.closure_residual` measures how far they are from the spins of a surface; `converged`
@@ -227,6 +231,10 @@ class Spin_transformation {
   /// certificate.
   void reconstruct(Spin_result& result);
   void judge_boundary(const Points& f, Spin_report& report) const;
+
+  /// the result, with the curvature that it has realised of rho
+  /// \pre the surface is the one that was transformed
+  Spin_result judged(Spin_result result, const Curvature_potential& rho) const;
 
   std::string m_function;
   internal::Visit_guard m_visits;

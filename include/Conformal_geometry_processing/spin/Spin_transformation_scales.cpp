@@ -25,8 +25,9 @@ Spin_result Spin_transformation::transform(const Curvature_potential& rho,
   require_potential(rho);
   Spin_result result = transform_freely(rho, options, go_further);
   const bool is_found = result.report.converged && !result.report.cancelled;
-  if (!m_options.exact_conformal_class || !is_found) return result;
-  return on_class(std::move(result), rho, options, go_further);
+  if (m_options.exact_conformal_class && is_found)
+    result = on_class(std::move(result), rho, options, go_further);
+  return judged(std::move(result), rho);
 }
 
 Spin_result Spin_transformation::on_class(Spin_result result, const Curvature_potential& rho,
@@ -87,7 +88,7 @@ Spin_result Spin_transformation::step_within_bound(const Curvature_potential& rh
                                                    const internal::Go_further& go_further)
 {
   const internal::Scale_control& scales = m_options.scales;
-  if (!scales.bound) return step(rho, options, go_further);
+  if (!scales.bound) return trial_step(rho, options, go_further);
   const Eigen::VectorXd& areas = system().areas();
   Spin_result result =
       solve(rho, options, go_further, [&](const Quaternion_vector<double>& lambda) {

@@ -17,7 +17,7 @@ Closed_step measured_step(Spin_transformation& transformation, const Curvature_p
                           const Dirac_options& options, const Go_further& go_further)
 {
   const Exactness_constraints& exactness = transformation.exactness(rho.on);
-  Closed_step step{transformation.step(rho, options, go_further), rho, {}};
+  Closed_step step{transformation.trial_step(rho, options, go_further), rho, {}};
   if (step.result.report.cancelled) return step;
   step.edges = transformed_edges(transformation.system().surface(), step.result.lambda);
   step.result.report.period_defect = exactness.period_defect(step.edges);

@@ -15,6 +15,9 @@ const names = {
   'substeps': 'Substeps', 'spectral_shift': 'Spectral shift', 'generalized': 'Generalized problem',
   'steps': 'Steps', 'reached': 'Share of the change reached',
   'missing_share': 'Left out to close handles, share of the norm of rho',
+  'realised_curvature/share': 'Measured change of curvature, share of the norm of rho',
+  'realised_curvature/correlation': 'Correlation of that change with rho',
+  'realised_curvature/wrong_sign': 'Share of the area where that change has the wrong sign',
   'realised_share': 'Realised share of the norm of rho', 'stop': 'Stopped because',
   'converged': 'Energy has settled', 'energy/initial': 'Willmore energy before',
   'energy/final': 'Willmore energy after', 'radius/mean': 'Mean radius',
@@ -69,6 +72,17 @@ function lead() {
   return [counts, ...shape].join(', ') + '.';
 }
 
+/** What the new surface has of rho, and what was left out of it. */
+function realisedTile() {
+  const {share, correlation, agreement, least_agreement: least, left_out: leftOut} =
+      at('result/realised_curvature') ?? {};
+  if (typeof agreement !== 'number') return [];
+  const left = leftOut > .005 ? `, ${number(100 * leftOut, 2)} % left out` : '';
+  return [[`${number(100 * share, 3)} %`,
+           `of ρ realised, correlation ${number(correlation, 2)}${left}`,
+           agreement >= least ? 'good' : 'poor']];
+}
+
 function tiles() {
   const fourPi = 4 * Math.PI, all = [];
   const add = (place, name, show = value => number(value, 4)) => {
@@ -77,6 +91,7 @@ function tiles() {
   if (typeof report.verified === 'boolean')
     all.push(report.verified ? ['verified', 'by its certificate', 'good']
                              : ['not verified', 'written by force', 'poor']);
+  all.push(...realisedTile());
   add('result/quasi_conformal/mean', 'mean Q, 1 is conformal');
   add('result/quasi_conformal/p99', 'Q, 99 % of the area');
   add('result/flipped_faces', 'flipped faces', String);

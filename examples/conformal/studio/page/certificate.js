@@ -14,6 +14,9 @@ function rowsFor(report, faceCount) {
       'How much the triangles had to give way to fit together');
   add('Flipped faces', `${r.flipped_faces} of ${faceCount.toLocaleString('en')}`, 'flipped_faces',
       'Faces that look into the body');
+  const realised = r.realised_curvature;
+  if (realised && report.command !== 'deform') add('Realised of the paint', `${number(100 * realised.share, 3)} %`, 'realised_curvature',
+      `Measured on the new surface; correlation with the paint: ${number(realised.correlation, 2)}`);
   const control = r.scale_control;
   if (control?.weight > 0 && report.command !== 'deform') add('Kept of the paint', `${number(100 * control.kept_norm, 3)} %`, 'kept',
       'Sizes are bounded: this much of the paint is possible within the bound');

@@ -22,7 +22,8 @@ from ._matrices import (cotan_laplacian, dirac_energy, dirac_operator, face_area
                         quasi_conformal_errors, vertex_areas)
 from ._reports import (Area_distortion, Class_snap_report, Conformality, Distribution, Flow_report,
                        Flow_step_report, Length_cross_ratio_change, Limits, Mean_and_max,
-                       Mollification, Parameterization_report, Scales, Spin_report)
+                       Mollification, Parameterization_report, Realised_curvature, Scales,
+                       Spin_report)
 from ._spin import (Progress, Spin_result, Spin_transformation, minimal_surface, spin_transform)
 from ._surfaces import (Class_snap_result, Dirac_spectrum, Flattening, Harmonic_basis,
                         dirac_spectrum, flatten, harmonic_basis, snap_to_conformal_class)
@@ -37,5 +38,5 @@ __all__ = [
     "Dirac_spectrum", "Class_snap_result", "Progress", "Spin_report", "Flow_report",
     "Flow_step_report", "Parameterization_report", "Class_snap_report", "Conformality",
     "Distribution", "Length_cross_ratio_change", "Area_distortion", "Mollification", "Scales",
-    "Mean_and_max", "Limits", "Error", "Precondition_error", "Solver_error", "__version__",
+    "Realised_curvature", "Mean_and_max", "Limits", "Error", "Precondition_error", "Solver_error", "__version__",
 ]

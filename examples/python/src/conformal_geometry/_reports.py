@@ -81,6 +81,18 @@ class Scales:
 
 
 @dataclass(frozen=True)
+class Realised_curvature:
+    """The change of curvature, measured on the positions, smoothed and compared with the given rho:
+    share of its norm, correlation, distance, the share of the area with the wrong sign."""
+    share: float
+    correlation: float
+    distance: float
+    wrong_sign: float
+    seen_share: float
+    judged_share: float
+
+
+@dataclass(frozen=True)
 class Class_snap_report(Report):
     """The numbers that verify a snap to a conformal class; the displacement is relative to the
     diagonal of the mesh."""
@@ -113,6 +125,7 @@ class Limits:
     direction_error: float
     realised_share: float
     kept_norm: float
+    agreement: float
     quasi_conformal: float
     flipped_share: float
     collapsed_share: float
@@ -157,6 +170,7 @@ class Spin_report(Report):
     position_error: Mean_and_max
     mollification: Mollification
     scales: Scales
+    realised_curvature: Optional[Realised_curvature]
     exact_class: Optional[Class_snap_report]
     closure_residual: float
     conformality: Conformality
