@@ -3,11 +3,13 @@
 #include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/measure/Realised_curvature.h>
 #include <Conformal_geometry_processing/mesh/Delaunay_view.h>
+#include <Conformal_geometry_processing/operators/vertex_graph.h>
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "support/meshes.h"
@@ -95,7 +97,7 @@ TEST(Realised_curvature, of_a_moebius_image_of_the_sphere_is_found_with_second_o
 TEST(Realised_curvature, of_a_moebius_image_is_found_on_irregular_meshes)
 {
   std::vector<double> distances;
-  for (int n : {500, 2000, 8000}) {
+  for (int n : {250, 1000, 4000}) {
     const Points p = scattered_points(n, 1);
     const Mesh_view sphere(p, convex_hull(p));
     const Moebius_copy copy(sphere);
@@ -104,7 +106,7 @@ TEST(Realised_curvature, of_a_moebius_image_is_found_on_irregular_meshes)
   }
   EXPECT_GT(distances[0] / distances[1], 1.8) << distances[1];
   EXPECT_GT(distances[1] / distances[2], 1.8) << distances[2];
-  EXPECT_LT(distances[2], .02);
+  EXPECT_LT(distances[2], .03);
 }
 
 TEST(Realised_curvature, has_the_sign_of_rho)
@@ -177,7 +179,7 @@ TEST(Realised_curvature, tells_how_much_of_rho_the_smoothing_leaves)
   };
   const double l = Realised_curvature::smoothing_length;
   EXPECT_NEAR(seen(coarse), 1 / (1 + 2 * l * l), 1e-3);  // the eigenvalue of z is 2
-  EXPECT_LT(seen(fine), .1);
+  EXPECT_LT(seen(fine), .2);
 }
 
 TEST(Realised_curvature, leaves_out_the_rim)
@@ -208,8 +210,8 @@ TEST(Realised_curvature, takes_faces_of_area_zero)
   const auto judged = [&](const Points& positions) {
     CGP::internal::Solver_ref<double> solver;
     EXPECT_EQ(solver.analyze(*pattern), CGP::Solver_status::success);
-    return CGP::internal::realised_curvature(mesh, positions, waves(mesh), false, view, pattern,
-                                             std::move(solver));
+    return CGP::internal::realised_curvature(mesh, positions, waves(mesh).values, false, view,
+                                             pattern, std::move(solver));
   };
   EXPECT_EQ(judged(mesh.positions())->share, 0);
   const auto found = judged(radially_perturbed(mesh, .01).positions());

@@ -9,6 +9,7 @@
 #include <Conformal_geometry_processing/operators/vertex_graph.h>
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
@@ -49,25 +50,24 @@ struct Vertex_integrals {
   Eigen::VectorXd curvatures;  // h
 };
 
-/// the integral of rho around each vertex
-Eigen::VectorXd integrals_of(const Curvature_potential& rho, const Mesh_view& mesh,
-                             const Eigen::VectorXd& areas)
+Eigen::VectorXd values_at_vertices(const Mesh_view& mesh, const Curvature_potential& rho)
 {
-  if (rho.on == Curvature_potential::On::vertices) return areas.cwiseProduct(rho.values);
-  Eigen::VectorXd sum = Eigen::VectorXd::Zero(areas.size());
-  for (int f = 0; f < mesh.size_of_faces(); ++f)
-    for (const int v : mesh.corners(f))
-      sum[v] += mesh.double_area_vector(f).norm() / 6 * rho.values[f];
-  return sum;
+  if (rho.on == Curvature_potential::On::vertices) return rho.values;
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(mesh.size_of_vertices()), areas = sum;
+  for (int f = 0; f < mesh.size_of_faces(); ++f) {
+    const double area = mesh.double_area_vector(f).norm();
+    for (const int v : mesh.corners(f)) sum[v] += area * rho.values[f], areas[v] += area;
+  }
+  return (areas.array() > 0).select(sum.cwiseQuotient(areas), 0.);
 }
 
 /// the areas of the vertices that are judged, zero for the others
-Eigen::VectorXd judged_areas(const Mesh_view& mesh, const Eigen::VectorXd& before,
+Eigen::VectorXd judged_areas(const Surface_ref& surface, const Eigen::VectorXd& before,
                              const Eigen::VectorXd& after)
 {
   const double least = 1e-9 * before.mean();  // rounding dominates what is smaller
   const double least_ratio = 1e-8 * after.sum() / before.sum();
-  const std::vector<char> is_at_rim = boundary_vertices(mesh);
+  const std::vector<char> is_at_rim = boundary_vertices(surface);
   Eigen::VectorXd areas = before;
   for (Eigen::Index v = 0; v < areas.size(); ++v)
     if (is_at_rim[static_cast<std::size_t>(v)] || !(before[v] > least) ||
@@ -107,7 +107,7 @@ void check_smoothing(const char* step, Solver_status status)
 }
 
 std::optional<Realised_curvature> realised_curvature(const Mesh_view& mesh, const Points& positions,
-                                                     const Curvature_potential& rho,
+                                                     const Eigen::VectorXd& rho,
                                                      bool constants_have_effect,
                                                      const Surface_ref& surface,
                                                      std::shared_ptr<const Sparse_pattern> pattern,
@@ -115,16 +115,15 @@ std::optional<Realised_curvature> realised_curvature(const Mesh_view& mesh, cons
 {
   if (!positions.allFinite()) return std::nullopt;
   const Vertex_integrals before(mesh, mesh.positions()), after(mesh, positions);
-  const Eigen::VectorXd areas = judged_areas(mesh, before.areas, after.areas);
+  const Eigen::VectorXd areas = judged_areas(surface, before.areas, after.areas);
   const double area = areas.sum();
   if (!(area > 0)) return std::nullopt;
   Block<double> b(areas.size(), 2);
-  const Eigen::VectorXd asked = integrals_of(rho, mesh, before.areas);
   for (Eigen::Index v = 0; v < areas.size(); ++v) {
     const bool is_judged = areas[v] > 0;
     const double spread = is_judged ? std::sqrt(before.areas[v] / after.areas[v]) : 0;
     b(v, 0) = is_judged ? after.curvatures[v] * spread - before.curvatures[v] : 0;
-    b(v, 1) = is_judged ? asked[v] : 0;
+    b(v, 1) = areas[v] * rho[v];
   }
   const double size = b.col(1).cwiseAbs().sum();
   if (!constants_have_effect)
@@ -176,9 +175,10 @@ std::optional<Realised_curvature> realised_curvature(const Mesh_view& mesh, cons
   internal::Solver_ref<double> solver = solvers.solver<double>();
   internal::check_smoothing("analysis", solver.analyze(*pattern));
   if (!positions.allFinite()) return std::nullopt;
-  return internal::realised_curvature(
-      own, internal::Normalized_frame(positions).to_frame(positions), {rho.on, unit * rho.values},
-      constants_have_effect, own, pattern, std::move(solver));
+  return internal::realised_curvature(own,
+                                      internal::Normalized_frame(positions).to_frame(positions),
+                                      unit * internal::values_at_vertices(own, rho),
+                                      constants_have_effect, own, pattern, std::move(solver));
 }
 
 }  // namespace Conformal_geometry_processing

@@ -7,6 +7,8 @@
 #include <Conformal_geometry_processing/mesh/Surface_ref.h>
 #include <Conformal_geometry_processing/operators/Curvature_potential.h>
 
+#include <Eigen/Core>
+
 #include <memory>
 #include <optional>
 
@@ -63,11 +65,17 @@ namespace internal {
 /// \throw Solver_error if a step of smoothing failed
 void check_smoothing(const char* step, Solver_status status);
 
+/// rho at the vertices: on faces, the mean of those around, weighted by area
+Eigen::VectorXd values_at_vertices(const Mesh_view& mesh, const Curvature_potential& rho);
+
 /// \brief the same with the Laplacian of another triangulation of the surface.
-/// \param surface has the vertices of the mesh
+/// \param mesh the faces that are judged; where thin ones are left out, the gradient of area lacks
+/// little but tangential components, and their normals after a map, which are arbitrary
+/// \param rho `values_at_vertices()` of all faces
+/// \param surface has the vertices of the mesh; its boundary is the rim
 /// \param pattern `vertex_graph(surface)` \param solver has analyzed it
 std::optional<Realised_curvature> realised_curvature(const Mesh_view& mesh, const Points& positions,
-                                                     const Curvature_potential& rho,
+                                                     const Eigen::VectorXd& rho,
                                                      bool constants_have_effect,
                                                      const Surface_ref& surface,
                                                      std::shared_ptr<const Sparse_pattern> pattern,

@@ -243,9 +243,9 @@ Spin_result Spin_transformation::judged(Spin_result result, const Curvature_pote
   internal::Solver_ref<double> solver = system().solver().another<double>();
   internal::check_smoothing("analysis", solver.analyze_like(*pattern, system().solver()));
   r.realised_curvature = internal::realised_curvature(
-      domain().mesh(), domain().frame().to_frame(result.positions),
-      {rho.on, domain().unit() * rho.values}, !system().is_self_adjoint(), system().surface(),
-      pattern, std::move(solver));
+      domain().measured(), domain().frame().to_frame(result.positions),
+      domain().unit() * internal::values_at_vertices(domain().mesh(), rho),
+      !system().is_self_adjoint(), system().surface(), pattern, std::move(solver));
   r.seconds.certificate += watch.lap();
   return result;
 }
