@@ -11,12 +11,6 @@
 
 namespace Conformal_geometry_processing::internal {
 
-/// the index of the value of rho at a corner
-int potential_index(const Sheet& sheet, Curvature_potential::On on, std::size_t c)
-{
-  return on == Curvature_potential::On::vertices ? sheet.corners[c] : sheet.face;
-}
-
 /// the rows of M (D - R) on a sheet, divided by its share
 std::array<Quaternion<double>, 3> dirac_rows(const Sheet& sheet, const Curvature_potential& rho)
 {

@@ -7,7 +7,16 @@
 
 #include <Eigen/Core>
 
+#include <cstddef>
+
 namespace Conformal_geometry_processing::internal {
+
+/// \ingroup PkgOperators
+/// the index of the value of rho at a corner
+inline int potential_index(const Sheet& sheet, Curvature_potential::On on, std::size_t c)
+{
+  return on == Curvature_potential::On::vertices ? sheet.corners[c] : sheet.face;
+}
 
 /// \ingroup PkgOperators
 /// \brief minus the derivative of X lambda for changes d of rho: (E^H M A + A^H M E) lambda with

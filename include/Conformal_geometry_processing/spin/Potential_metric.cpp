@@ -4,6 +4,7 @@
 #include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/operators/cotan_laplacian.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
+#include <Conformal_geometry_processing/operators/sheet_loops.h>
 #include <Conformal_geometry_processing/operators/vertex_graph.h>
 #include <Conformal_geometry_processing/spin/Dirac_system.h>
 
@@ -11,6 +12,7 @@
 #include <Eigen/SparseCore>
 
 #include <cmath>
+#include <cstddef>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -38,18 +40,59 @@ inline Hermitian_sparse_matrix<double> less_outer_products(const Eigen::SparseMa
   return matrix;
 }
 
-Potential_metric::Potential_metric(const Dirac_system& system, Curvature_potential::On on, double s)
-    : m_areas(curvature_areas(system.surface(), on)), m_solver(system.solver().another<double>())
+Potential_metric::Potential_metric(const Dirac_system& system, Curvature_potential::On on, double s,
+                                   Factor factor)
+    : m_surface(system.surface()),
+      m_areas(curvature_areas(system.surface(), on)),
+      m_solver(system.solver().another<double>())
 {
   if (on == Curvature_potential::On::vertices) {
     m_matrix = Hermitian_sparse_matrix<double>(system.matrix().shared_pattern());
     assemble_on_vertices(system.surface(), s);
     check(m_solver.analyze_like(m_matrix.pattern(), system.solver()));
+    if (factor == Factor::now) check(m_solver.factorize(m_matrix, {}));
   } else {
     assemble_on_faces(system.surface(), s);
-    check(m_solver.analyze(m_matrix.pattern()));
+    const auto complement = less_outer_products(m_shares, m_diagonal);
+    check(m_solver.analyze(complement.pattern()));
+    if (factor == Factor::now) check(m_solver.factorize(complement, {}));
   }
-  check(m_solver.factorize(m_matrix, {}));
+}
+
+void Potential_metric::couple(const Quaternion_vector<double>& lambda, double alpha)
+{
+  if (m_diagonal.size() == 0)
+    couple_on_vertices(lambda, alpha);
+  else
+    couple_on_faces(lambda, alpha);
+}
+
+void Potential_metric::couple_on_vertices(const Quaternion_vector<double>& lambda, double alpha)
+{
+  Hermitian_sparse_matrix<double> H = m_matrix;
+  for_each_owned_range(H.size(), [&](const Index_range& own) {
+    for_each_sheet_at(own, m_surface, [&](const Sheet& sheet) {
+      const double c = alpha * sheet.share * sheet.area / 9;
+      const auto entry = [&](int i, int j) {
+        return c * dot(lambda[sheet.corners[static_cast<std::size_t>(i)]],
+                       lambda[sheet.corners[static_cast<std::size_t>(j)]]);
+      };
+      add_sheet(sheet, own, entry, H);
+    });
+  });
+  check(m_solver.factorize(H, {}));
+}
+
+void Potential_metric::couple_on_faces(const Quaternion_vector<double>& lambda, double alpha)
+{
+  m_solved_diagonal = m_diagonal;
+  for (int s = 0; s < m_surface.size_of_sheets(); ++s) {
+    const Sheet sheet = m_surface.sheet(s);
+    Quaternion<double> sum;
+    for (const int v : sheet.corners) sum += lambda[v];
+    m_solved_diagonal[sheet.face] += alpha * sheet.share * sheet.area / 9 * dot(sum, sum);
+  }
+  check(m_solver.factorize(less_outer_products(m_shares, m_solved_diagonal), {}));
 }
 
 void Potential_metric::assemble_on_vertices(const Surface_ref& surface, double s)
@@ -77,7 +120,7 @@ void Potential_metric::assemble_on_faces(const Surface_ref& surface, double s)
   }
   m_shares.resize(surface.size_of_vertices(), surface.size_of_faces());
   m_shares.setFromTriplets(shares.begin(), shares.end());
-  m_matrix = less_outer_products(m_shares, m_diagonal);
+  m_solved_diagonal = m_diagonal;
 }
 
 Eigen::MatrixXd Potential_metric::apply(const Eigen::MatrixXd& d) const
@@ -96,9 +139,10 @@ Eigen::MatrixXd Potential_metric::solve(const Eigen::MatrixXd& b) const
     check(m_solver.solve(b, x));
     return x;
   }
-  const Eigen::MatrixXd part = m_diagonal.cwiseInverse().asDiagonal() * b;
+  const Eigen::VectorXd inverse = m_solved_diagonal.cwiseInverse();
+  const Eigen::MatrixXd part = inverse.asDiagonal() * b;
   check(m_solver.solve(m_shares * part, x));
-  return part + m_diagonal.cwiseInverse().asDiagonal() * (m_shares.transpose() * x).eval();
+  return part + inverse.asDiagonal() * (m_shares.transpose() * x).eval();
 }
 
 void Potential_metric::check(Solver_status status)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
+#include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
 #include <Conformal_geometry_processing/linear_algebra/dense/Solver_status.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Solver_ref.h>
 #include <Conformal_geometry_processing/mesh/Surface_ref.h>
@@ -31,13 +32,23 @@ namespace Conformal_geometry_processing::internal {
 /// equivalent to the integral. L annihilates constants.
 ///
 /// Costs the factorization of one scalar matrix with a row for each vertex, also for faces: there K
-/// is a diagonal matrix less one whose rank is the number of vertices.
+/// is a diagonal matrix less one whose rank is the number of vertices. `couple()` adds to what is
+/// solved, at the same cost, what changes of rho do to the Dirac equation of some spins.
 class Potential_metric {
  public:
+  /// when the matrix is factored first: at once, or by `couple()`
+  enum class Factor { now, later };
+
   /// \param system whose surface is meant, and whose analysis is shared
   /// \param s >= 0, in the unit of area of the system
   /// \throw Solver_error if the factorization fails
-  Potential_metric(const Dirac_system& system, Curvature_potential::On on, double s);
+  Potential_metric(const Dirac_system& system, Curvature_potential::On on, double s,
+                   Factor factor = Factor::now);
+
+  /// \brief from now on `solve()` is that of H = K + alpha N^T M N with N d = B(d lambda), see
+  /// `Dirac_linearization`; K itself stays.
+  /// \throw Solver_error if the factorization fails
+  void couple(const Quaternion_vector<double>& lambda, double alpha);
 
   /// M, |V| or |F|
   const Eigen::VectorXd& areas() const { return m_areas; }
@@ -45,7 +56,7 @@ class Potential_metric {
   /// K d, for each column of d
   Eigen::MatrixXd apply(const Eigen::MatrixXd& d) const;
 
-  /// \brief K^-1 b, for each column of b.
+  /// \brief K^-1 b, or H^-1 b, for each column of b.
   /// \throw Solver_error if the solver fails
   Eigen::MatrixXd solve(const Eigen::MatrixXd& b) const;
 
@@ -55,13 +66,17 @@ class Potential_metric {
  private:
   void assemble_on_vertices(const Surface_ref& surface, double s);
   void assemble_on_faces(const Surface_ref& surface, double s);
+  void couple_on_vertices(const Quaternion_vector<double>& lambda, double alpha);
+  void couple_on_faces(const Quaternion_vector<double>& lambda, double alpha);
   static void check(Solver_status status);
 
+  Surface_ref m_surface;
   Eigen::VectorXd m_areas;
   Eigen::VectorXd m_diagonal;                // for faces
+  Eigen::VectorXd m_solved_diagonal;         // of K or H, for faces
   Eigen::SparseMatrix<double> m_shares;      // sqrt(3 sqrt(3) s) a_vf / A_v, |V| x |F|, for faces
-  Hermitian_sparse_matrix<double> m_matrix;  // K, or 1 - shares diagonal^-1 shares^T
-  Solver_ref<double> m_solver;               // of this matrix
+  Hermitian_sparse_matrix<double> m_matrix;  // K, for vertices
+  Solver_ref<double> m_solver;  // of K or H, or of 1 - shares solved_diagonal^-1 shares^T
 };
 
 }  // namespace Conformal_geometry_processing::internal

@@ -28,6 +28,10 @@ class Scale_residual : public Spin_residual {
   Eigen::VectorXd change(const Spins& dlambda) const override;
   Spins gradient(const Eigen::VectorXd& y) const override;
 
+  /// 2 w times the areas: u has the derivative 2 / |lambda| in one of four directions, and none in
+  /// the others
+  Eigen::VectorXd stiffness() const override { return 2 * m_weight * m_masses; }
+
  private:
   Eigen::VectorXd weighted(Eigen::VectorXd u) const;
 

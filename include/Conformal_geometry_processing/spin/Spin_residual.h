@@ -10,7 +10,7 @@
 namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgSpin
-/// \brief numbers r(lambda) that a `Potential_search` makes small, or zero: what is wanted of the
+/// \brief numbers r(lambda) that a `Potential_search`, or `Relaxed_spins`, makes small, or zero: what is wanted of the
 /// transformed surface, in terms of its spins.
 ///
 /// They must not depend on the gauge, a right factor of lambda.
@@ -30,6 +30,10 @@ class Spin_residual {
 
   /// the transpose: the gradient q of <y, r>, whose change is Re <q, dlambda>
   virtual Spins gradient(const Eigen::VectorXd& y) const = 0;
+
+  /// \brief |V|, what `gradient()` of `change()` multiplies spins by, about: for preconditioners.
+  /// Empty: they leave this residual to the iterations.
+  virtual Eigen::VectorXd stiffness() const { return {}; }
 
   /// as constraints: numbers that rho changes this many times less than others are nearly left
   /// alone; 0: none are
