@@ -35,17 +35,19 @@ bool Relaxed_scales::step(double share, const Watch& watch)
   return progress.length > 0;
 }
 
-// The excess falls like a small power of w, which the last two steps tell once they are short.
+// The excess falls like a power of w that is not known, and follows w a step late, so that secants
+// through two steps lead astray: changes become smaller where the bound is passed, and larger where
+// it is not.
 void Relaxed_scales::change_weight()
 {
-  const double least_change = .02, aim = 1 - m_options.closeness / 2;
-  const double by = std::log(m_weight / m_last_weight);
-  if (m_last_weight > 0 && std::abs(by) > least_change && m_moved < 2 * m_options.settled)
-    m_rate = std::clamp(std::log(m_excess / m_last_excess) / by, -1., -.15);
-  m_last_weight = m_weight;
-  m_last_excess = m_excess;
-  const double change = -std::log((std::max)(m_excess, .1) / aim) / m_rate;
-  m_weight *= std::exp(std::clamp(change, std::log(1. / 6), std::log(4.)));
+  const double aim = 1 - m_options.closeness / 2;
+  const double level = std::log((std::max)(m_excess, .1) / aim);
+  if (level * m_last_level < 0)
+    m_rate = (std::max)(1.5 * m_rate, -1.5);
+  else if (m_last_level != 0 && m_moved < m_options.settled)
+    m_rate = (std::min)(.7 * m_rate, -.05);
+  m_last_level = level;
+  m_weight *= std::exp(std::clamp(-level / m_rate, std::log(1. / 6), std::log(4.)));
 }
 
 auto Relaxed_scales::run(const Watch& watch) -> End
@@ -55,6 +57,8 @@ auto Relaxed_scales::run(const Watch& watch) -> End
   for (int i = 1; i < m_options.stages; ++i) step(1. * i / m_options.stages, watch);
   m_excess *= 1. * m_options.stages / (m_options.stages - 1);  // expected after the last stage
   change_weight();
+  m_last_level = 0;
+  m_spins.set_tolerance(m_options.last_tolerance);
   while (m_steps < m_options.max_steps) {
     if (!step(1, watch)) return End::no_descent;
     const bool is_settled = m_moved < m_options.settled;

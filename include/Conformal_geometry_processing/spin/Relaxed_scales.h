@@ -18,8 +18,8 @@ namespace Conformal_geometry_processing::internal {
 /// \brief the `Relaxed_spins` of rho with a `Scale_residual` of the least weight w with which
 /// lengths keep to the bound of a `Scale_control`.
 ///
-/// rho is asked for in three parts, from lambda = 1, with one step for each; then w is solved for
-/// by secants, one step for each, until lengths are just within the bound and steps are short, or
+/// rho is asked for in three parts, from lambda = 1, with one step for each; then w is changed
+/// from step to step until lengths are just within the bound and steps are short, or
 /// w is so small that it has no effect.
 class Relaxed_scales {
  public:
@@ -31,6 +31,7 @@ class Relaxed_scales {
     double least_weight = 0.01; ///< has no effect
     double closeness = 0.012;   ///< of the largest log factor to that of the bound, relative
     double settled = 0.03;      ///< change of lambda, relative
+    double last_tolerance = .1; ///< of conjugate gradients, with all of rho
   };
 
   enum class End { within_bound, bound_is_slack, no_descent, too_many_steps, cancelled };
@@ -59,8 +60,8 @@ class Relaxed_scales {
   Scale_residual m_scales;
   Relaxed_spins m_spins;
   double m_weight, m_excess = 0;
-  double m_last_weight = 0, m_last_excess = 0;
-  double m_rate = -.5;  // d log excess / d log weight
+  double m_last_level = 0;  // log of the excess, relative to what is aimed at
+  double m_rate = -.5;      // d log excess / d log weight, as far as changes of w trust in it
   double m_moved = 0;
   int m_steps = 0;
 };

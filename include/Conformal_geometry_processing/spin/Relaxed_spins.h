@@ -83,6 +83,9 @@ class Relaxed_spins {
   /// asks for another rho, where the first has its values
   void want(const Eigen::VectorXd& rho) { m_wanted = rho; }
 
+  /// of conjugate gradients from now on
+  void set_tolerance(double tolerance) { m_options.tolerance = tolerance; }
+
   /// \param lambda whose length does not matter
   void restart(const Spins& lambda, const Eigen::VectorXd& rho);
 

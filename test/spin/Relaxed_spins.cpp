@@ -1,0 +1,320 @@
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+// Tests include/Conformal_geometry_processing/spin/Relaxed_spins.h
+// Tests spin/Dirac_linearization.h spin/Relaxed_scales.h
+#include <Conformal_geometry_processing/mesh/Delaunay_view.h>
+#include <Conformal_geometry_processing/spin/Potential_metric.h>
+#include <Conformal_geometry_processing/spin/Relaxed_scales.h>
+#include <Conformal_geometry_processing/spin/Relaxed_spins.h>
+#include <Conformal_geometry_processing/spin/Scale_residual.h>
+#include <Conformal_geometry_processing/spin/solve_dirac_equation.h>
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+
+#include <cmath>
+#include <utility>
+
+#include "support/meshes.h"
+
+namespace cgp_test::relaxed_spins_tests {
+
+namespace CGP = Conformal_geometry_processing;
+using CGP::Curvature_potential;
+using CGP::Surface_ref;
+using CGP::internal::Dirac_system;
+using CGP::internal::Relaxed_scales;
+using CGP::internal::Relaxed_spins;
+using CGP::internal::Scale_residual;
+using On = Curvature_potential::On;
+using Spins = Quaternion_vector<double>;
+
+Mesh_view ellipsoid(int level)
+{
+  const auto stretched = [](const Eigen::Vector3d& p) {
+    return Eigen::Vector3d(p.x(), 2 * p.y(), p.z());
+  };
+  return perturbed(mapped(icosphere(level), stretched), .02);
+}
+
+Curvature_potential waves(const Mesh_view& mesh, On on, double amplitude)
+{
+  const auto at_point = [=](const Eigen::Vector3d& p) {
+    return amplitude * std::sin(2 * p.y() + 1) * std::cos(3 * p.x());
+  };
+  Curvature_potential rho{on, {}};
+  rho.values.resize(on == On::vertices ? mesh.size_of_vertices() : mesh.size_of_faces());
+  for (int i = 0; i < rho.values.size(); ++i) {
+    const auto& c = mesh.corners(on == On::vertices ? 0 : i);
+    rho.values[i] = at_point(on == On::vertices ? mesh.position(i)
+                                                : Eigen::Vector3d((mesh.position(c[0]) +
+                                                                   mesh.position(c[1]) +
+                                                                   mesh.position(c[2])) /
+                                                                  3));
+  }
+  return rho;
+}
+
+/// a problem with a weight of scales, at spins and a potential that are nothing special
+struct Problem {
+  Dirac_system system;
+  Scale_residual scales;
+  Relaxed_spins spins;
+
+  Problem(const Surface_ref& surface, const Curvature_potential& rho, double weight,
+          Relaxed_spins::Options options = {})
+      : system(surface),
+        scales(system.areas(), Eigen::VectorXd::Zero(system.areas().size())),
+        spins(system, rho, {&scales}, options)
+  {
+    scales.set_weight(weight);
+  }
+
+  void perturb()
+  {
+    Spins lambda = .2 * random_quaternions(surface_size(), 1);
+    for (auto& q : lambda) q.w += 1;
+    spins.restart(lambda, .3 * random_numbers(static_cast<int>(spins.rho().values.size()), 2));
+  }
+
+  int surface_size() const { return static_cast<int>(system.areas().size()); }
+};
+
+Relaxed_spins::Options exactly(double alpha = 0)
+{
+  Relaxed_spins::Options options;
+  options.alpha = alpha;
+  options.tolerance = 1e-10;
+  options.max_iterations = 400;
+  return options;
+}
+
+/// components of spins, then the potential
+Eigen::VectorXd joined(const Spins& y, const Eigen::VectorXd& d)
+{
+  Eigen::VectorXd all(4 * y.size() + d.size());
+  all << Eigen::Map<const Eigen::VectorXd>(CGP::components(y).data(), 4 * y.size()), d;
+  return all;
+}
+
+double sum_at(Problem& p, const Spins& lambda, const Eigen::VectorXd& rho)
+{
+  const double length = std::sqrt(p.system.squared_norm(lambda) / p.system.areas().sum());
+  p.spins.restart(lambda, rho);
+  EXPECT_NEAR(length, 1, 1e-6);
+  return p.spins.terms().sum();
+}
+
+// Along changes that keep the length of lambda.
+void expect_gradient(const Surface_ref& surface, const Curvature_potential& rho)
+{
+  Problem p(surface, rho, .7);
+  p.perturb();
+  const Spins lambda = p.spins.lambda();
+  const Eigen::VectorXd at = p.spins.rho().values;
+  const auto g = p.spins.gradient();
+  Spins y = random_quaternions(p.surface_size(), 5);
+  const double along = inner_product(lambda, p.system.areas(), y).w / p.system.areas().sum();
+  for (Eigen::Index v = 0; v < y.size(); ++v) y[v] -= along * lambda[v];
+  const Eigen::VectorXd d = random_numbers(static_cast<int>(at.size()), 6);
+  const double h = 1e-5;
+  const double slope =
+      (sum_at(p, lambda + h * y, at + h * d) - sum_at(p, lambda - h * y, at - h * d)) / (2 * h);
+  const double expected = 2 * (inner_product(g.spins, y).w + g.potential.dot(d));
+  EXPECT_NEAR(slope, expected, 1e-6 * std::abs(expected));
+}
+
+TEST(Relaxed_spins, knows_the_derivative_of_the_sum)
+{
+  const Mesh_view mesh = ellipsoid(2);
+  for (const On on : {On::vertices, On::faces}) {
+    expect_gradient(mesh, waves(mesh, on, 1));
+    expect_gradient(CGP::Delaunay_view(mesh), waves(mesh, on, 1));
+  }
+}
+
+TEST(Relaxed_spins, has_a_symmetric_and_positive_complement)
+{
+  const Mesh_view mesh = ellipsoid(2);
+  for (const On on : {On::vertices, On::faces}) {
+    Problem p(mesh, waves(mesh, on, 1), .7);
+    p.perturb();
+    p.spins.linearize();
+    const Spins a = random_quaternions(p.surface_size(), 3),
+                b = random_quaternions(p.surface_size(), 4);
+    const Spins Sa = p.spins.schur_product(a), Sb = p.spins.schur_product(b);
+    EXPECT_NEAR(inner_product(a, Sb).w, inner_product(b, Sa).w,
+                1e-10 * CGP::components(a).norm() * CGP::components(Sb).norm());
+    EXPECT_GT(inner_product(a, Sa).w, 0);
+    EXPECT_GT(inner_product(b, Sb).w, 0);
+  }
+}
+
+// A right factor of unit length changes nothing but the factor.
+TEST(Relaxed_spins, does_not_see_the_gauge)
+{
+  const Mesh_view mesh = ellipsoid(2);
+  Problem p(mesh, waves(mesh, On::vertices, 1), .7, exactly());
+  p.perturb();
+  const Spins lambda = p.spins.lambda();
+  const Eigen::VectorXd rho = p.spins.rho().values;
+  const double sum = p.spins.terms().sum();
+  p.spins.linearize();
+  const auto step = p.spins.step();
+  const Quaternion<double> q{.5, -.5, .5, .5};
+  Spins turned = lambda;
+  for (auto& l : turned) l = 3. * (l * q);
+  p.spins.restart(turned, rho);
+  EXPECT_NEAR(p.spins.terms().sum(), sum, 1e-12 * sum);
+  p.spins.linearize();
+  const auto other = p.spins.step();
+  Spins difference = other.spins;
+  for (Eigen::Index v = 0; v < turned.size(); ++v) difference[v] -= step.spins[v] * q;
+  EXPECT_LT(CGP::components(difference).norm(), 1e-7 * CGP::components(step.spins).norm());
+  EXPECT_LT((other.potential - step.potential).norm(), 1e-7 * step.potential.norm());
+  const Quaternion<double> along = inner_product(lambda, p.system.areas(), step.spins);
+  EXPECT_LT(norm(along), 1e-8 * p.system.areas().sum());
+}
+
+/// half the Hessian of Gauss and Newton on all unknowns, from derivatives of the terms alone
+Eigen::MatrixXd dense_hessian(Problem& p)
+{
+  const CGP::internal::Dirac_linearization linear(p.system.surface(), p.spins.rho(),
+                                                  p.spins.lambda());
+  const CGP::internal::Potential_metric metric(p.system, p.spins.rho().on, .1 / p.system.unit());
+  const int n = p.surface_size(), m = static_cast<int>(p.spins.rho().values.size());
+  const Eigen::VectorXd& a = metric.areas();
+  Eigen::MatrixXd A(4 * n + m, 4 * n + m);
+  p.scales.set_spins(p.spins.lambda());
+  for (int k = 0; k < A.cols(); ++k) {
+    Spins y = Spins::Constant(n, {});
+    Eigen::VectorXd d = Eigen::VectorXd::Zero(m);
+    if (k < 4 * n)
+      CGP::components(y)(k % 4, k / 4) = 1;
+    else
+      d[k - 4 * n] = 1;
+    const Spins r = linear.apply(y) - linear.turn(d);
+    const Eigen::VectorXd Kd = metric.apply(d).col(0) - a * (a.dot(d) / a.sum());
+    A.col(k) = joined(p.spins.alpha() * linear.adjoint(r) + p.scales.gradient(p.scales.change(y)),
+                      Kd - p.spins.alpha() * linear.turned(r));
+  }
+  return A;
+}
+
+/// the four directions of the gauge, as columns
+Eigen::MatrixXd gauge(const Problem& p, Eigen::Index rows)
+{
+  Eigen::MatrixXd G = Eigen::MatrixXd::Zero(rows, 4);
+  for (int k = 0; k < 4; ++k) {
+    const Quaternion<double> q{k == 0 ? 1. : 0, k == 1 ? 1. : 0, k == 2 ? 1. : 0, k == 3 ? 1. : 0};
+    for (int v = 0; v < p.surface_size(); ++v) {
+      const Quaternion<double> l = p.system.areas()[v] * (p.spins.lambda()[v] * q);
+      G.col(k).segment<4>(4 * v) << l.w, l.x, l.y, l.z;
+    }
+  }
+  return G;
+}
+
+// With the gauge as constraints.
+TEST(Relaxed_spins, takes_the_least_squares_step)
+{
+  const Mesh_view mesh = ellipsoid(1);
+  for (const On on : {On::vertices, On::faces}) {
+    Problem p(mesh, waves(mesh, on, 1), .7, exactly(5));
+    p.perturb();
+    const Eigen::MatrixXd A = dense_hessian(p);
+    const Eigen::MatrixXd G = gauge(p, A.rows());
+    const auto g = p.spins.gradient();
+    Eigen::MatrixXd saddle = Eigen::MatrixXd::Zero(A.rows() + 4, A.rows() + 4);
+    saddle << A, G, G.transpose(), Eigen::MatrixXd::Zero(4, 4);
+    Eigen::VectorXd right = Eigen::VectorXd::Zero(saddle.rows());
+    right.head(A.rows()) = -joined(g.spins, g.potential);
+    const Eigen::VectorXd expected = saddle.fullPivLu().solve(right).head(A.rows());
+    p.spins.linearize();
+    const auto step = p.spins.step();
+    EXPECT_LT((joined(step.spins, step.potential) - expected).norm(), 1e-6 * expected.norm());
+    EXPECT_LT(step.slope, 0);
+  }
+}
+
+TEST(Relaxed_spins, never_ascends)
+{
+  const Mesh_view mesh = ellipsoid(2);
+  Problem p(mesh, waves(mesh, On::vertices, 30), .01);
+  p.perturb();
+  for (int i = 0; i < 12; ++i) {
+    const double before = p.spins.terms().sum();
+    const auto progress = p.spins.advance();
+    EXPECT_LE(p.spins.terms().sum(), before * (1 + 1e-12));
+    EXPECT_NEAR(p.spins.terms().sum(), progress.after, 1e-10 * before);
+    if (progress.length == 0) break;
+  }
+  EXPECT_NEAR(p.system.squared_norm(p.spins.lambda()), p.system.areas().sum(), 1e-9);
+}
+
+/// spins after some steps
+Spins found(const Mesh_view& mesh, const Curvature_potential& rho, double weight)
+{
+  Problem p(mesh, rho, weight, exactly());
+  for (int i = 0; i < 8; ++i) p.spins.advance();
+  return p.spins.lambda();
+}
+
+double distance(const Spins& a, const Spins& b)
+{
+  return CGP::components(Spins(a - b)).norm() / CGP::components(b).norm();
+}
+
+TEST(Relaxed_spins, does_not_depend_on_the_unit_of_length)
+{
+  const Mesh_view mesh = ellipsoid(2);
+  const Curvature_potential rho = waves(mesh, On::vertices, 1);
+  const Spins expected = found(mesh, rho, .7);
+  EXPECT_LT(distance(found(scaled(mesh, 8), {rho.on, rho.values / 8}, .7 / 64), expected), 1e-7);
+}
+
+TEST(Relaxed_spins, does_not_see_constants_of_rho)
+{
+  const Mesh_view mesh = ellipsoid(2);
+  for (const On on : {On::vertices, On::faces}) {
+    const Curvature_potential rho = waves(mesh, on, 1);
+    const Eigen::VectorXd higher = rho.values.array() + 2;
+    EXPECT_LT(distance(found(mesh, {on, higher}, .7), found(mesh, rho, .7)), 1e-6);
+  }
+}
+
+// What is left of the equation falls like 1 / alpha.
+TEST(Relaxed_spins, tends_to_the_solution_of_the_dirac_equation)
+{
+  const Mesh_view mesh = icosphere(3);
+  const Curvature_potential rho = waves(mesh, On::vertices, .5);
+  Dirac_system system(mesh);
+  const Spins exact = CGP::solve_dirac_equation(system, rho).lambda;
+  double last = 1;
+  for (const double alpha : {10., 100., 1000.}) {
+    Problem p(mesh, rho, 1e-8, exactly(alpha));
+    for (int i = 0; i < 8; ++i) p.spins.advance();
+    const double error = 1 - system.overlap(p.spins.lambda(), exact);
+    EXPECT_LT(error, last / 4);
+    last = error;
+  }
+  EXPECT_LT(last, 1e-4);
+}
+
+TEST(Relaxed_scales, keeps_to_the_bound)
+{
+  const Mesh_view mesh = ellipsoid(3);
+  for (const On on : {On::vertices, On::faces}) {
+    Dirac_system system(mesh);
+    CGP::internal::Scale_control control;
+    control.bound = 1.5;
+    Relaxed_scales scales(system, waves(mesh, on, 3), control, {});
+    EXPECT_EQ(scales.run(), Relaxed_scales::End::within_bound);
+    EXPECT_LE(scales.excess(), 1);
+    EXPECT_GE(scales.excess(), .98);
+    EXPECT_LE(scales.spins().costs().factorizations, 4);
+    EXPECT_LE(scales.spins().costs().solves, 100);
+  }
+}
+
+}  // namespace cgp_test::relaxed_spins_tests
