@@ -12,6 +12,7 @@
 
 #include <Eigen/Dense>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -46,11 +47,11 @@ Curvature_potential waves(const Mesh_view& mesh, On on, double amplitude)
   rho.values.resize(on == On::vertices ? mesh.size_of_vertices() : mesh.size_of_faces());
   for (int i = 0; i < rho.values.size(); ++i) {
     const auto& c = mesh.corners(on == On::vertices ? 0 : i);
-    rho.values[i] = at_point(on == On::vertices ? mesh.position(i)
-                                                : Eigen::Vector3d((mesh.position(c[0]) +
-                                                                   mesh.position(c[1]) +
-                                                                   mesh.position(c[2])) /
-                                                                  3));
+    rho.values[i] =
+        at_point(on == On::vertices
+                     ? mesh.position(i)
+                     : Eigen::Vector3d(
+                           (mesh.position(c[0]) + mesh.position(c[1]) + mesh.position(c[2])) / 3));
   }
   return rho;
 }
@@ -283,22 +284,25 @@ TEST(Relaxed_spins, does_not_see_constants_of_rho)
   }
 }
 
-// What is left of the equation falls like 1 / alpha.
+// Without residuals, rho' is rho up to the constant for which X has its smallest eigenvalue, and
+// lambda the eigenvector: as alpha becomes *small*. On a fixed mesh large alpha leads elsewhere:
+// there are more equations than unknowns, and what the mesh leaves of them outweighs rho.
 TEST(Relaxed_spins, tends_to_the_solution_of_the_dirac_equation)
 {
-  const Mesh_view mesh = icosphere(3);
+  const Mesh_view mesh = icosphere(2);
   const Curvature_potential rho = waves(mesh, On::vertices, .5);
   Dirac_system system(mesh);
   const Spins exact = CGP::solve_dirac_equation(system, rho).lambda;
-  double last = 1;
-  for (const double alpha : {10., 100., 1000.}) {
-    Problem p(mesh, rho, 1e-8, exactly(alpha));
+  double last = .01;
+  for (const double alpha : {1., .1, .01}) {
+    Problem p(mesh, rho, 1e-12, exactly(alpha));
+    p.spins.restart(Spins::Constant(exact.size(), {1, 0, 0, 0}), rho.values);
     for (int i = 0; i < 8; ++i) p.spins.advance();
-    const double error = 1 - system.overlap(p.spins.lambda(), exact);
-    EXPECT_LT(error, last / 4);
+    const double overlap = (std::min)(system.overlap(p.spins.lambda(), exact), 1.);
+    const double error = std::sqrt(1 - overlap * overlap);
+    EXPECT_LT(error, last / 5) << alpha;
     last = error;
   }
-  EXPECT_LT(last, 1e-4);
 }
 
 TEST(Relaxed_scales, keeps_to_the_bound)

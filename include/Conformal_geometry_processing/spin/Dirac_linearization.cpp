@@ -20,8 +20,7 @@ Quaternion_vector<double> on_sheets(const Surface_ref& surface, const Value& val
   const std::ptrdiff_t least = 1000;
   Quaternion_vector<double> z(surface.size_of_sheets());
   for_each_range(z.size(), least, [&](std::ptrdiff_t first, std::ptrdiff_t last) {
-    for (std::ptrdiff_t s = first; s < last; ++s)
-      z[s] = value(surface.sheet(static_cast<int>(s)));
+    for (std::ptrdiff_t s = first; s < last; ++s) z[s] = value(surface.sheet(static_cast<int>(s)));
   });
   return z;
 }

@@ -29,11 +29,11 @@ class Dirac_linearization {
   /// r = A lambda, in 1/length, one value per sheet
   Spins residual() const { return apply(m_lambda); }
 
-  Spins apply(const Spins& y) const;                 ///< A y, one value per sheet
-  Spins adjoint(const Spins& z) const;               ///< A^H M z, |V|
-  Spins turn(const Eigen::VectorXd& d) const;        ///< N d, one value per sheet
-  Eigen::VectorXd turned(const Spins& z) const;      ///< N^T M z, where rho is
-  double squared_norm(const Spins& z) const;         ///< <z, M z>
+  Spins apply(const Spins& y) const;             ///< A y, one value per sheet
+  Spins adjoint(const Spins& z) const;           ///< A^H M z, |V|
+  Spins turn(const Eigen::VectorXd& d) const;    ///< N d, one value per sheet
+  Eigen::VectorXd turned(const Spins& z) const;  ///< N^T M z, where rho is
+  double squared_norm(const Spins& z) const;     ///< <z, M z>
 
  private:
   Surface_ref m_surface;

@@ -27,11 +27,11 @@ class Relaxed_scales {
     Relaxed_spins::Options spins;
     int stages = 3;
     int max_steps = 16;
-    double first_weight = 1;    ///< in 1 / R^2
-    double least_weight = 0.01; ///< has no effect
-    double closeness = 0.012;   ///< of the largest log factor to that of the bound, relative
-    double settled = 0.03;      ///< change of lambda, relative
-    double last_tolerance = .1; ///< of conjugate gradients, with all of rho
+    double first_weight = 1;     ///< in 1 / R^2
+    double least_weight = 0.01;  ///< has no effect
+    double closeness = 0.012;    ///< of the largest log factor to that of the bound, relative
+    double settled = 0.03;       ///< change of lambda, relative
+    double last_tolerance = .1;  ///< of conjugate gradients, with all of rho
   };
 
   enum class End { within_bound, bound_is_slack, no_descent, too_many_steps, cancelled };
@@ -39,8 +39,8 @@ class Relaxed_scales {
   /// called after each step
   using Watch = std::function<void(const Relaxed_scales&, const Relaxed_spins::Progress&)>;
 
-  Relaxed_scales(Dirac_system& system, const Curvature_potential& rho,
-                 const Scale_control& control, const Options& options);
+  Relaxed_scales(Dirac_system& system, const Curvature_potential& rho, const Scale_control& control,
+                 const Options& options);
 
   End run(const Watch& watch = {});
 

@@ -150,16 +150,15 @@ auto Relaxed_spins::schur_product(const Spins& y) -> Spins
 
 auto Relaxed_spins::without_gauge(Spins y) const -> Spins
 {
-  const Quaternion<double> q = inner_product(m_lambda, m_system.areas(), y) *
-                               (-1 / m_system.squared_norm(m_lambda));
+  const Quaternion<double> q =
+      inner_product(m_lambda, m_system.areas(), y) * (-1 / m_system.squared_norm(m_lambda));
   add_multiple(y, m_lambda, q);
   return y;
 }
 
 auto Relaxed_spins::without_gauge_gradient(Spins g) const -> Spins
 {
-  const Quaternion<double> q =
-      inner_product(m_lambda, g) * (-1 / m_system.squared_norm(m_lambda));
+  const Quaternion<double> q = inner_product(m_lambda, g) * (-1 / m_system.squared_norm(m_lambda));
   const Eigen::VectorXd& areas = m_system.areas();
   for (Eigen::Index v = 0; v < g.size(); ++v) g[v] += areas[v] * (m_lambda[v] * q);
   return g;
@@ -190,8 +189,7 @@ auto Relaxed_spins::step() -> Step
   const Spins coupling = m_linear->adjoint(m_linear->turn(solve_potential(g.potential)));
   Step s;
   s.spins = solve_schur(-1. * (g.spins + m_alpha * coupling), m_iterations);
-  s.potential =
-      solve_potential(m_alpha * m_linear->turned(m_linear->apply(s.spins)) - g.potential);
+  s.potential = solve_potential(m_alpha * m_linear->turned(m_linear->apply(s.spins)) - g.potential);
   s.slope = inner_product(g.spins, s.spins).w + g.potential.dot(s.potential);
   return s;
 }

@@ -21,7 +21,9 @@ namespace Conformal_geometry_processing::internal {
 ///     alpha |(D - rho') lambda|^2_M + |rho' - rho|^2_K + sum |residuals of lambda|^2
 ///
 /// where the mean of |lambda|^2 is one: the surface near that of rho that has what the residuals
-/// want, without being an eigenvector of anything [CGP (5.3) is the limit of large alpha].
+/// want, without being an eigenvector of anything. Without residuals, [CGP (5.3)] is the limit of
+/// small alpha; on a given mesh, lambda tends to 1 as alpha grows, because (D - rho') lambda = 0
+/// has more equations than unknowns.
 ///
 /// The first term is what does not close up and what the mesh cannot represent. K is that of
 /// `Potential_metric` with s = R^2 / 10, R^2 = area / (4 pi); constants of rho' cost nothing there,
