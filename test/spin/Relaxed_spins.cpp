@@ -1,9 +1,8 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 // Tests include/Conformal_geometry_processing/spin/Relaxed_spins.h
-// Tests spin/Dirac_linearization.h spin/Relaxed_scales.h
+// Tests spin/Dirac_linearization.h
 #include <Conformal_geometry_processing/mesh/Delaunay_view.h>
 #include <Conformal_geometry_processing/spin/Potential_metric.h>
-#include <Conformal_geometry_processing/spin/Relaxed_scales.h>
 #include <Conformal_geometry_processing/spin/Relaxed_spins.h>
 #include <Conformal_geometry_processing/spin/Scale_residual.h>
 #include <Conformal_geometry_processing/spin/solve_dirac_equation.h>
@@ -16,6 +15,7 @@
 #include <cmath>
 #include <utility>
 
+#include "spin/boundary_tools.h"
 #include "support/meshes.h"
 
 namespace cgp_test::relaxed_spins_tests {
@@ -24,7 +24,6 @@ namespace CGP = Conformal_geometry_processing;
 using CGP::Curvature_potential;
 using CGP::Surface_ref;
 using CGP::internal::Dirac_system;
-using CGP::internal::Relaxed_scales;
 using CGP::internal::Relaxed_spins;
 using CGP::internal::Scale_residual;
 using On = Curvature_potential::On;
@@ -43,17 +42,8 @@ Curvature_potential waves(const Mesh_view& mesh, On on, double amplitude)
   const auto at_point = [=](const Eigen::Vector3d& p) {
     return amplitude * std::sin(2 * p.y() + 1) * std::cos(3 * p.x());
   };
-  Curvature_potential rho{on, {}};
-  rho.values.resize(on == On::vertices ? mesh.size_of_vertices() : mesh.size_of_faces());
-  for (int i = 0; i < rho.values.size(); ++i) {
-    const auto& c = mesh.corners(on == On::vertices ? 0 : i);
-    rho.values[i] =
-        at_point(on == On::vertices
-                     ? mesh.position(i)
-                     : Eigen::Vector3d(
-                           (mesh.position(c[0]) + mesh.position(c[1]) + mesh.position(c[2])) / 3));
-  }
-  return rho;
+  return on == On::vertices ? potential_on_vertices(mesh, at_point)
+                            : potential_on_faces(mesh, at_point);
 }
 
 /// a problem with a weight of scales, at spins and a potential that are nothing special
@@ -302,22 +292,6 @@ TEST(Relaxed_spins, tends_to_the_solution_of_the_dirac_equation)
     const double error = std::sqrt(1 - overlap * overlap);
     EXPECT_LT(error, last / 5) << alpha;
     last = error;
-  }
-}
-
-TEST(Relaxed_scales, keeps_to_the_bound)
-{
-  const Mesh_view mesh = ellipsoid(3);
-  for (const On on : {On::vertices, On::faces}) {
-    Dirac_system system(mesh);
-    CGP::internal::Scale_control control;
-    control.bound = 1.5;
-    Relaxed_scales scales(system, waves(mesh, on, 3), control, {});
-    EXPECT_EQ(scales.run(), Relaxed_scales::End::within_bound);
-    EXPECT_LE(scales.excess(), 1);
-    EXPECT_GE(scales.excess(), .98);
-    EXPECT_LE(scales.spins().costs().factorizations, 4);
-    EXPECT_LE(scales.spins().costs().solves, 100);
   }
 }
 

@@ -10,8 +10,8 @@
 namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgSpin
-/// \brief numbers r(lambda) that a `Potential_search`, or `Relaxed_spins`, makes small, or zero: what is wanted of the
-/// transformed surface, in terms of its spins.
+/// \brief numbers r(lambda) that a `Potential_search`, or `Relaxed_spins`, makes small, or zero:
+/// what is wanted of the transformed surface, in terms of its spins.
 ///
 /// They must not depend on the gauge, a right factor of lambda.
 class Spin_residual {
