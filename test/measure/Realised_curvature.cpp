@@ -211,7 +211,7 @@ TEST(Realised_curvature, takes_faces_of_area_zero)
     CGP::internal::Solver_ref<double> solver;
     EXPECT_EQ(solver.analyze(*pattern), CGP::Solver_status::success);
     return CGP::internal::realised_curvature(mesh, positions, waves(mesh).values, false, view,
-                                             pattern, std::move(solver));
+                                             pattern, solver);
   };
   EXPECT_EQ(judged(mesh.positions())->share, 0);
   const auto found = judged(radially_perturbed(mesh, .01).positions());

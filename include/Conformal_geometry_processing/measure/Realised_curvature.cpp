@@ -111,7 +111,7 @@ std::optional<Realised_curvature> realised_curvature(const Mesh_view& mesh, cons
                                                      bool constants_have_effect,
                                                      const Surface_ref& surface,
                                                      std::shared_ptr<const Sparse_pattern> pattern,
-                                                     Solver_ref<double> solver)
+                                                     Solver_ref<double>& solver)
 {
   if (!positions.allFinite()) return std::nullopt;
   const Vertex_integrals before(mesh, mesh.positions()), after(mesh, positions);
@@ -175,10 +175,9 @@ std::optional<Realised_curvature> realised_curvature(const Mesh_view& mesh, cons
   internal::Solver_ref<double> solver = solvers.solver<double>();
   internal::check_smoothing("analysis", solver.analyze(*pattern));
   if (!positions.allFinite()) return std::nullopt;
-  return internal::realised_curvature(own,
-                                      internal::Normalized_frame(positions).to_frame(positions),
-                                      unit * internal::values_at_vertices(own, rho),
-                                      constants_have_effect, own, pattern, std::move(solver));
+  return internal::realised_curvature(
+      own, internal::Normalized_frame(positions).to_frame(positions),
+      unit * internal::values_at_vertices(own, rho), constants_have_effect, own, pattern, solver);
 }
 
 }  // namespace Conformal_geometry_processing

@@ -79,7 +79,7 @@ std::optional<Realised_curvature> realised_curvature(const Mesh_view& mesh, cons
                                                      bool constants_have_effect,
                                                      const Surface_ref& surface,
                                                      std::shared_ptr<const Sparse_pattern> pattern,
-                                                     Solver_ref<double> solver);
+                                                     Solver_ref<double>& solver);
 
 }  // namespace internal
 

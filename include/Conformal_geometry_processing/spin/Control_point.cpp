@@ -30,7 +30,7 @@ std::vector<Control_point> region_control_points(const Mesh_view& mesh,
   const double flat = 1e-3;  // of the longest axis: a thinner region does not extend
   Eigen::VectorXd shares = vertex_areas(mesh)(vertices);
   shares /= shares.sum();
-  const Points x = mesh.positions()(Eigen::seqN(0, 3), vertices);
+  const Points x = mesh.positions()(Eigen::indexing::all, vertices);
   const Eigen::Vector3d centre = x * shares;
   const Points arms = x.colwise() - centre;
   std::vector<Control_point> points = {{vertices, shares, motion * centre}};
@@ -51,7 +51,7 @@ Points positions_of(const std::vector<Control_point>& points, const Points& posi
   Points result(3, static_cast<Eigen::Index>(points.size()));
   for (std::size_t k = 0; k < points.size(); ++k)
     result.col(static_cast<Eigen::Index>(k)) =
-        positions(Eigen::seqN(0, 3), points[k].vertices) * points[k].weights;
+        positions(Eigen::indexing::all, points[k].vertices) * points[k].weights;
   return result;
 }
 

@@ -55,7 +55,7 @@ internal::Spectral_pairs internal::resolved_nearest_first(const internal::Spectr
           pairs.squared_images(order),
           pairs.of_pencil(order),
           pairs.residuals(order),
-          pairs.vectors(Eigen::seqN(0, pairs.vectors.rows()), order),
+          pairs.vectors(Eigen::indexing::all, order),
           reach,
           pairs.slow_energy,
           reach < pairs.reach};

@@ -240,12 +240,15 @@ Spin_result Spin_transformation::judged(Spin_result result, const Curvature_pote
   if (r.cancelled || result.positions.cols() == 0) return result;
   internal::Stopwatch watch;
   const auto& pattern = system().matrix().shared_pattern();
-  internal::Solver_ref<double> solver = system().solver().another<double>();
-  internal::check_smoothing("analysis", solver.analyze_like(*pattern, system().solver()));
+  auto& smoother = m_stage->smoother;
+  if (!smoother) {
+    smoother.emplace(system().solver().another<double>());
+    internal::check_smoothing("analysis", smoother->analyze_like(*pattern, system().solver()));
+  }
   r.realised_curvature = internal::realised_curvature(
       domain().measured(), domain().frame().to_frame(result.positions),
       domain().unit() * internal::values_at_vertices(domain().mesh(), rho),
-      !system().is_self_adjoint(), system().surface(), pattern, std::move(solver));
+      !system().is_self_adjoint(), system().surface(), pattern, *smoother);
   r.seconds.certificate += watch.lap();
   return result;
 }

@@ -176,6 +176,7 @@ class Spin_transformation {
     std::optional<Poisson_reconstruction> poisson;
     bool is_poisson_old = false;  // the surface has moved since the Laplacian was assembled
     std::optional<internal::Exactness_constraints> exactness;
+    std::optional<internal::Solver_ref<double>> smoother;  // of the curvature that is judged
     double seconds;
   };
 

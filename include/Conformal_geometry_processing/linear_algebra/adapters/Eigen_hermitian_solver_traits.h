@@ -63,7 +63,9 @@ class Eigen_backend {
     {
       const double operations_per_entry = Eigen::NumTraits<Entry>::IsComplex ? 4 : 1;
       Solver_statistics s;
-      for (const int below : this->m_nonZerosPerCol) {
+      const int* const begin = this->m_matrix.outerIndexPtr();  // L without its unit diagonal
+      for (Eigen::Index j = 0; j < this->m_matrix.cols(); ++j) {
+        const int below = begin[j + 1] - begin[j];
         s.factor_entries += below + 1;
         s.flops += operations_per_entry * (below + 1.0) * (below + 1.0);
       }
