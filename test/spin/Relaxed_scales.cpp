@@ -4,10 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
-#include "spin/boundary_tools.h"
-#include "support/meshes.h"
+#include "spin/relaxed_surfaces.h"
 
 namespace cgp_test::relaxed_scales_tests {
 
@@ -17,23 +14,6 @@ using CGP::internal::Dirac_system;
 using CGP::internal::Relaxed_scales;
 using On = Curvature_potential::On;
 
-Mesh_view ellipsoid(int level)
-{
-  const auto stretched = [](const Eigen::Vector3d& p) {
-    return Eigen::Vector3d(p.x(), 2 * p.y(), p.z());
-  };
-  return perturbed(mapped(icosphere(level), stretched), .02);
-}
-
-Curvature_potential waves(const Mesh_view& mesh, On on, double amplitude)
-{
-  const auto at_point = [=](const Eigen::Vector3d& p) {
-    return amplitude * std::sin(2 * p.y() + 1) * std::cos(3 * p.x());
-  };
-  return on == On::vertices ? potential_on_vertices(mesh, at_point)
-                            : potential_on_faces(mesh, at_point);
-}
-
 TEST(Relaxed_scales, keeps_to_the_bound)
 {
   const Mesh_view mesh = ellipsoid(3);
@@ -41,7 +21,7 @@ TEST(Relaxed_scales, keeps_to_the_bound)
     Dirac_system system(mesh);
     CGP::internal::Scale_control control;
     control.bound = 1.5;
-    Relaxed_scales scales(system, waves(mesh, on, 3), control, {});
+    Relaxed_scales scales(system, waves_on(mesh, on, 3), control, {});
     EXPECT_EQ(scales.run(), Relaxed_scales::End::within_bound);
     EXPECT_LE(scales.excess(), 1);
     EXPECT_GE(scales.excess(), .98);

@@ -15,8 +15,7 @@
 #include <cmath>
 #include <utility>
 
-#include "spin/boundary_tools.h"
-#include "support/meshes.h"
+#include "spin/relaxed_surfaces.h"
 
 namespace cgp_test::relaxed_spins_tests {
 
@@ -28,23 +27,6 @@ using CGP::internal::Relaxed_spins;
 using CGP::internal::Scale_residual;
 using On = Curvature_potential::On;
 using Spins = Quaternion_vector<double>;
-
-Mesh_view ellipsoid(int level)
-{
-  const auto stretched = [](const Eigen::Vector3d& p) {
-    return Eigen::Vector3d(p.x(), 2 * p.y(), p.z());
-  };
-  return perturbed(mapped(icosphere(level), stretched), .02);
-}
-
-Curvature_potential waves(const Mesh_view& mesh, On on, double amplitude)
-{
-  const auto at_point = [=](const Eigen::Vector3d& p) {
-    return amplitude * std::sin(2 * p.y() + 1) * std::cos(3 * p.x());
-  };
-  return on == On::vertices ? potential_on_vertices(mesh, at_point)
-                            : potential_on_faces(mesh, at_point);
-}
 
 /// a problem with a weight of scales, at spins and a potential that are nothing special
 struct Problem {
@@ -119,8 +101,8 @@ TEST(Relaxed_spins, knows_the_derivative_of_the_sum)
 {
   const Mesh_view mesh = ellipsoid(2);
   for (const On on : {On::vertices, On::faces}) {
-    expect_gradient(mesh, waves(mesh, on, 1));
-    expect_gradient(CGP::Delaunay_view(mesh), waves(mesh, on, 1));
+    expect_gradient(mesh, waves_on(mesh, on, 1));
+    expect_gradient(CGP::Delaunay_view(mesh), waves_on(mesh, on, 1));
   }
 }
 
@@ -128,7 +110,7 @@ TEST(Relaxed_spins, has_a_symmetric_and_positive_complement)
 {
   const Mesh_view mesh = ellipsoid(2);
   for (const On on : {On::vertices, On::faces}) {
-    Problem p(mesh, waves(mesh, on, 1), .7);
+    Problem p(mesh, waves_on(mesh, on, 1), .7);
     p.perturb();
     p.spins.linearize();
     const Spins a = random_quaternions(p.surface_size(), 3),
@@ -145,7 +127,7 @@ TEST(Relaxed_spins, has_a_symmetric_and_positive_complement)
 TEST(Relaxed_spins, does_not_see_the_gauge)
 {
   const Mesh_view mesh = ellipsoid(2);
-  Problem p(mesh, waves(mesh, On::vertices, 1), .7, exactly());
+  Problem p(mesh, waves_on(mesh, On::vertices, 1), .7, exactly());
   p.perturb();
   const Spins lambda = p.spins.lambda();
   const Eigen::VectorXd rho = p.spins.rho().values;
@@ -211,7 +193,7 @@ TEST(Relaxed_spins, takes_the_least_squares_step)
 {
   const Mesh_view mesh = ellipsoid(1);
   for (const On on : {On::vertices, On::faces}) {
-    Problem p(mesh, waves(mesh, on, 1), .7, exactly(5));
+    Problem p(mesh, waves_on(mesh, on, 1), .7, exactly(5));
     p.perturb();
     const Eigen::MatrixXd A = dense_hessian(p);
     const Eigen::MatrixXd G = gauge(p, A.rows());
@@ -231,7 +213,7 @@ TEST(Relaxed_spins, takes_the_least_squares_step)
 TEST(Relaxed_spins, never_ascends)
 {
   const Mesh_view mesh = ellipsoid(2);
-  Problem p(mesh, waves(mesh, On::vertices, 30), .01);
+  Problem p(mesh, waves_on(mesh, On::vertices, 30), .01);
   p.perturb();
   for (int i = 0; i < 12; ++i) {
     const double before = p.spins.terms().sum();
@@ -259,7 +241,7 @@ double distance(const Spins& a, const Spins& b)
 TEST(Relaxed_spins, does_not_depend_on_the_unit_of_length)
 {
   const Mesh_view mesh = ellipsoid(2);
-  const Curvature_potential rho = waves(mesh, On::vertices, 1);
+  const Curvature_potential rho = waves_on(mesh, On::vertices, 1);
   const Spins expected = found(mesh, rho, .7);
   EXPECT_LT(distance(found(scaled(mesh, 8), {rho.on, rho.values / 8}, .7 / 64), expected), 1e-7);
 }
@@ -268,7 +250,7 @@ TEST(Relaxed_spins, does_not_see_constants_of_rho)
 {
   const Mesh_view mesh = ellipsoid(2);
   for (const On on : {On::vertices, On::faces}) {
-    const Curvature_potential rho = waves(mesh, on, 1);
+    const Curvature_potential rho = waves_on(mesh, on, 1);
     const Eigen::VectorXd higher = rho.values.array() + 2;
     EXPECT_LT(distance(found(mesh, {on, higher}, .7), found(mesh, rho, .7)), 1e-6);
   }
@@ -280,7 +262,7 @@ TEST(Relaxed_spins, does_not_see_constants_of_rho)
 TEST(Relaxed_spins, tends_to_the_solution_of_the_dirac_equation)
 {
   const Mesh_view mesh = icosphere(2);
-  const Curvature_potential rho = waves(mesh, On::vertices, .5);
+  const Curvature_potential rho = waves_on(mesh, On::vertices, .5);
   Dirac_system system(mesh);
   const Spins exact = CGP::solve_dirac_equation(system, rho).lambda;
   double last = .01;

@@ -50,11 +50,14 @@ struct Realised_curvature {
 /// Laplacian L. Left out, with M_i = 0, are vertices at the boundary, where h contains the
 /// curvature of the boundary curve, and vertices that have nearly no area before or after. A face
 /// of area zero contributes nothing. Costs one factorization of a real matrix and a solution with
-/// two right-hand sides. \param mesh may have faces of area zero if `surface` is another one \param
-/// positions of the transformed surface, 3 x |V| \param rho in 1/length of the mesh \param
-/// constants_have_effect whether means are kept, as for free boundaries \return nothing if a
-/// position is not finite, or rho vanishes up to its mean \throw Precondition_error if a number of
-/// values is wrong \throw Solver_error if the matrix cannot be factored
+/// two right-hand sides.
+///
+/// \param positions of the transformed surface, 3 x |V|
+/// \param rho in 1/length of the mesh
+/// \param constants_have_effect whether means are kept, as for free boundaries
+/// \returns nothing if a position is not finite, or rho vanishes up to its mean
+/// \throw Precondition_error if a number of values is wrong
+/// \throw Solver_error if the matrix cannot be factored
 std::optional<Realised_curvature> realised_curvature(const Mesh_view& mesh, const Points& positions,
                                                      const Curvature_potential& rho,
                                                      bool constants_have_effect = false,

@@ -34,7 +34,7 @@ class Relaxed_scales {
     double last_tolerance = .1;  ///< of conjugate gradients, with all of rho
   };
 
-  enum class End { within_bound, bound_is_slack, no_descent, too_many_steps, cancelled };
+  enum class End { within_bound, bound_is_slack, no_descent, too_many_steps };
 
   /// called after each step
   using Watch = std::function<void(const Relaxed_scales&, const Relaxed_spins::Progress&)>;
