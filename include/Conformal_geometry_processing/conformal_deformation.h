@@ -48,11 +48,11 @@ Conformal_deformation_options conformal_deformation_options(const Graph_view<Tri
 /// \ingroup PkgEntryPoints
 /// \brief deforms a surface conformally so that given vertices, or regions, move to given places.
 ///
-/// Finds the least change rho of mean curvature whose spin transformation [CGP (5.3)-(5.5)], placed
-/// by a similarity, takes the vertices to their targets: angles are preserved up to the
-/// discretisation error, and so are textures and the shapes of small details. All vertices may move
-/// and scale. The targets are met exactly, up to about 1e-9 of the size of the mesh, unless there
-/// is a `position_weight`.
+/// Finds the least change rho of mean curvature, and spins that nearly solve its Dirac equation
+/// [CGP (5.3)-(5.5)], whose surface, placed by a similarity, has the vertices at their targets:
+/// angles are preserved up to the discretisation error, and so are textures and the shapes of small
+/// details. All vertices may move and scale. The targets are met exactly, up to about 1e-9 of the
+/// size of the mesh, unless there is a `position_weight`.
 ///
 /// What similarities can do costs nothing: one or two targets, or targets that are the image of the
 /// vertices under a similarity, move, turn and scale the whole surface. Fix parts by targets where

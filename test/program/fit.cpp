@@ -93,7 +93,9 @@ TEST_F(Fit, comes_nearer_than_the_curvature_and_keeps_to_a_bound)
   const double source = json("b.json")["result"]["distance"]["source"];
   EXPECT_LT(nearest, kept);
   EXPECT_LT(nearest, source / 2);
-  EXPECT_GT(distance("--max-scale 1.02"), nearest);
+  const double normals = json("b.json")["result"]["distance"]["normals"];
+  (void)distance("--max-scale 1.02");  // positions alone may come nearer, by shear
+  EXPECT_GT(double(json("b.json")["result"]["distance"]["normals"]), normals);
   EXPECT_EQ(run("fit a.off t.off -o b.ply --max-scale -1").code, 2);
 }
 

@@ -89,13 +89,18 @@ TEST(Verification, tells_what_helps_where_curvature_has_changed_otherwise)
   };
   EXPECT_TRUE(tells("changed by 25 % of rho with a correlation of 0.5"));
   EXPECT_TRUE(tells("a finer mesh"));
+  EXPECT_TRUE(tells("--max-scale 2"));
+  report.is_relaxed = true;
   EXPECT_FALSE(tells("--max-scale"));
   report.missing_share = .8;
   EXPECT_TRUE(tells("--open-handles"));
   report.scales.bound = 2;
   report.scales.weight = .1;
   EXPECT_TRUE(tells("a larger --max-scale"));
-  EXPECT_EQ(objection_to(report), "");  // not yet a fault
+  EXPECT_EQ(objection_to(report), "");  // a fault only where it is against rho
+  report.realised_curvature->correlation = -.9;
+  EXPECT_TRUE(tells("a correlation of -0.9"));
+  EXPECT_NE(objection_to(report), "");
 }
 
 }  // namespace cgp_test::verification_tests

@@ -27,8 +27,7 @@ using Deformation = CGP::internal::Conformal_deformation;
 double cost(const Mesh_view& mesh, const Eigen::VectorXd& rho)
 {
   const CGP::internal::Dirac_system system(mesh);
-  const CGP::internal::Potential_metric metric(system, CGP::Curvature_potential::On::vertices,
-                                               .1 / system.unit());
+  const CGP::internal::Potential_metric metric(system, .1 / system.unit());
   return metric.squared_norm(rho);
 }
 
@@ -49,9 +48,11 @@ TEST(Conformal_deformation_drag, follows_a_drag_without_jumps)
   EXPECT_LT(steps.back(), 3 * steps[steps.size() / 2]);
 }
 
+// On a round sphere, bumps to either side move points along it: there are several minima, and a
+// drag follows one of them.
 TEST(Conformal_deformation_drag, drags_to_where_one_move_leads_at_less_cost)
 {
-  const Mesh_view mesh = perturbed(icosphere(3), .02);
+  const Mesh_view mesh = dumbbell(3);
   Deformation deformation(mesh);
   const CGP::Spin_report first = deformation.deform(one_moved(mesh, 8, .2)).report;
   (void)deformation.deform(one_moved(mesh, 8, .21));

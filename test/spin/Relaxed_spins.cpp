@@ -1,6 +1,7 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 // Tests include/Conformal_geometry_processing/spin/Relaxed_spins.h
-// Tests spin/Dirac_linearization.h
+// Tests spin/Dirac_misfit.h, spin/Misfit_weights.h, spin/Spin_gauge.h, spin/Spin_preconditioner.h,
+// spin/Nearness_residual.h
 #include <Conformal_geometry_processing/mesh/Delaunay_view.h>
 #include <Conformal_geometry_processing/spin/Potential_metric.h>
 #include <Conformal_geometry_processing/spin/Relaxed_spins.h>
@@ -34,9 +35,9 @@ struct Problem {
   Scale_residual scales;
   Relaxed_spins spins;
 
-  Problem(const Surface_ref& surface, const Curvature_potential& rho, double weight,
-          Relaxed_spins::Options options = {})
-      : system(surface),
+  Problem(const Surface_ref& surface, const Eigen::VectorXd& rho, double weight,
+          Relaxed_spins::Options options = {}, const CGP::Boundary_condition& boundary = {})
+      : system(surface, boundary),
         scales(system.areas(), Eigen::VectorXd::Zero(system.areas().size())),
         spins(system, rho, {&scales}, options)
   {
@@ -47,16 +48,16 @@ struct Problem {
   {
     Spins lambda = .2 * random_quaternions(surface_size(), 1);
     for (auto& q : lambda) q.w += 1;
-    spins.restart(lambda, .3 * random_numbers(static_cast<int>(spins.rho().values.size()), 2));
+    spins.restart(lambda, .3 * random_numbers(static_cast<int>(spins.rho().size()), 2));
   }
 
   int surface_size() const { return static_cast<int>(system.areas().size()); }
 };
 
-Relaxed_spins::Options exactly(double alpha = 0)
+Relaxed_spins::Options exactly(const CGP::internal::Misfit_weights& weights = {})
 {
   Relaxed_spins::Options options;
-  options.alpha = alpha;
+  options.weights = weights;
   options.tolerance = 1e-10;
   options.max_iterations = 400;
   return options;
@@ -79,12 +80,12 @@ double sum_at(Problem& p, const Spins& lambda, const Eigen::VectorXd& rho)
 }
 
 // Along changes that keep the length of lambda.
-void expect_gradient(const Surface_ref& surface, const Curvature_potential& rho)
+void expect_gradient(const Surface_ref& surface, const Eigen::VectorXd& rho)
 {
   Problem p(surface, rho, .7);
   p.perturb();
   const Spins lambda = p.spins.lambda();
-  const Eigen::VectorXd at = p.spins.rho().values;
+  const Eigen::VectorXd at = p.spins.rho();
   const auto g = p.spins.gradient();
   Spins y = random_quaternions(p.surface_size(), 5);
   const double along = inner_product(lambda, p.system.areas(), y).w / p.system.areas().sum();
@@ -100,37 +101,41 @@ void expect_gradient(const Surface_ref& surface, const Curvature_potential& rho)
 TEST(Relaxed_spins, knows_the_derivative_of_the_sum)
 {
   const Mesh_view mesh = ellipsoid(2);
-  for (const On on : {On::vertices, On::faces}) {
-    expect_gradient(mesh, waves_on(mesh, on, 1));
-    expect_gradient(CGP::Delaunay_view(mesh), waves_on(mesh, on, 1));
-  }
+  expect_gradient(mesh, waves_on(mesh, 1));
+  expect_gradient(CGP::Delaunay_view(mesh), waves_on(mesh, 1));
+}
+
+void expect_positive(Problem& p)
+{
+  p.perturb();
+  p.spins.linearize();
+  const Spins a = p.system.projected(random_quaternions(p.surface_size(), 3)).col(0),
+              b = p.system.projected(random_quaternions(p.surface_size(), 4)).col(0);
+  const Spins Sa = p.spins.schur_product(a), Sb = p.spins.schur_product(b);
+  EXPECT_NEAR(inner_product(a, Sb).w, inner_product(b, Sa).w,
+              1e-10 * CGP::components(a).norm() * CGP::components(Sb).norm());
+  EXPECT_GT(inner_product(a, Sa).w, 0);
+  EXPECT_GT(inner_product(b, Sb).w, 0);
 }
 
 TEST(Relaxed_spins, has_a_symmetric_and_positive_complement)
 {
-  const Mesh_view mesh = ellipsoid(2);
-  for (const On on : {On::vertices, On::faces}) {
-    Problem p(mesh, waves_on(mesh, on, 1), .7);
-    p.perturb();
-    p.spins.linearize();
-    const Spins a = random_quaternions(p.surface_size(), 3),
-                b = random_quaternions(p.surface_size(), 4);
-    const Spins Sa = p.spins.schur_product(a), Sb = p.spins.schur_product(b);
-    EXPECT_NEAR(inner_product(a, Sb).w, inner_product(b, Sa).w,
-                1e-10 * CGP::components(a).norm() * CGP::components(Sb).norm());
-    EXPECT_GT(inner_product(a, Sa).w, 0);
-    EXPECT_GT(inner_product(b, Sb).w, 0);
-  }
+  const Mesh_view closed = ellipsoid(2), disk = bounded_cap();
+  Problem p(closed, waves_on(closed, 1), .7), free(disk, waves_on(disk, 1), .7),
+      held(disk, waves_on(disk, 1), .7, {}, CGP::Boundary_condition::directions({1, 0, 0}));
+  expect_positive(p);
+  expect_positive(free);
+  expect_positive(held);
 }
 
 // A right factor of unit length changes nothing but the factor.
 TEST(Relaxed_spins, does_not_see_the_gauge)
 {
   const Mesh_view mesh = ellipsoid(2);
-  Problem p(mesh, waves_on(mesh, On::vertices, 1), .7, exactly());
+  Problem p(mesh, waves_on(mesh, 1), .7, exactly());
   p.perturb();
   const Spins lambda = p.spins.lambda();
-  const Eigen::VectorXd rho = p.spins.rho().values;
+  const Eigen::VectorXd rho = p.spins.rho();
   const double sum = p.spins.terms().sum();
   p.spins.linearize();
   const auto step = p.spins.step();
@@ -152,10 +157,11 @@ TEST(Relaxed_spins, does_not_see_the_gauge)
 /// half the Hessian of Gauss and Newton on all unknowns, from derivatives of the terms alone
 Eigen::MatrixXd dense_hessian(Problem& p)
 {
-  const CGP::internal::Dirac_linearization linear(p.system.surface(), p.spins.rho(),
-                                                  p.spins.lambda());
-  const CGP::internal::Potential_metric metric(p.system, p.spins.rho().on, .1 / p.system.unit());
-  const int n = p.surface_size(), m = static_cast<int>(p.spins.rho().values.size());
+  const CGP::internal::Dirac_misfit::Geometry geometry(p.system.surface());
+  const CGP::internal::Dirac_misfit linear(geometry, p.spins.weights(), p.spins.rho(),
+                                           p.spins.lambda());
+  const CGP::internal::Potential_metric metric(p.system, .1 / p.system.unit());
+  const int n = p.surface_size(), m = n;
   const Eigen::VectorXd& a = metric.areas();
   Eigen::MatrixXd A(4 * n + m, 4 * n + m);
   p.scales.set_spins(p.spins.lambda());
@@ -168,8 +174,8 @@ Eigen::MatrixXd dense_hessian(Problem& p)
       d[k - 4 * n] = 1;
     const Spins r = linear.apply(y) - linear.turn(d);
     const Eigen::VectorXd Kd = metric.apply(d).col(0) - a * (a.dot(d) / a.sum());
-    A.col(k) = joined(p.spins.alpha() * linear.adjoint(r) + p.scales.gradient(p.scales.change(y)),
-                      Kd - p.spins.alpha() * linear.turned(r));
+    A.col(k) =
+        joined(linear.adjoint(r) + p.scales.gradient(p.scales.change(y)), Kd - linear.turned(r));
   }
   return A;
 }
@@ -192,28 +198,26 @@ Eigen::MatrixXd gauge(const Problem& p, Eigen::Index rows)
 TEST(Relaxed_spins, takes_the_least_squares_step)
 {
   const Mesh_view mesh = ellipsoid(1);
-  for (const On on : {On::vertices, On::faces}) {
-    Problem p(mesh, waves_on(mesh, on, 1), .7, exactly(5));
-    p.perturb();
-    const Eigen::MatrixXd A = dense_hessian(p);
-    const Eigen::MatrixXd G = gauge(p, A.rows());
-    const auto g = p.spins.gradient();
-    Eigen::MatrixXd saddle = Eigen::MatrixXd::Zero(A.rows() + 4, A.rows() + 4);
-    saddle << A, G, G.transpose(), Eigen::MatrixXd::Zero(4, 4);
-    Eigen::VectorXd right = Eigen::VectorXd::Zero(saddle.rows());
-    right.head(A.rows()) = -joined(g.spins, g.potential);
-    const Eigen::VectorXd expected = saddle.fullPivLu().solve(right).head(A.rows());
-    p.spins.linearize();
-    const auto step = p.spins.step();
-    EXPECT_LT((joined(step.spins, step.potential) - expected).norm(), 1e-6 * expected.norm());
-    EXPECT_LT(step.slope, 0);
-  }
+  Problem p(mesh, waves_on(mesh, 1), .7, exactly({1, 4}));
+  p.perturb();
+  const Eigen::MatrixXd A = dense_hessian(p);
+  const Eigen::MatrixXd G = gauge(p, A.rows());
+  const auto g = p.spins.gradient();
+  Eigen::MatrixXd saddle = Eigen::MatrixXd::Zero(A.rows() + 4, A.rows() + 4);
+  saddle << A, G, G.transpose(), Eigen::MatrixXd::Zero(4, 4);
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(saddle.rows());
+  right.head(A.rows()) = -joined(g.spins, g.potential);
+  const Eigen::VectorXd expected = saddle.fullPivLu().solve(right).head(A.rows());
+  p.spins.linearize();
+  const auto step = p.spins.step();
+  EXPECT_LT((joined(step.spins, step.potential) - expected).norm(), 1e-6 * expected.norm());
+  EXPECT_LT(step.slope, 0);
 }
 
 TEST(Relaxed_spins, never_ascends)
 {
   const Mesh_view mesh = ellipsoid(2);
-  Problem p(mesh, waves_on(mesh, On::vertices, 30), .01);
+  Problem p(mesh, waves_on(mesh, 30), .01);
   p.perturb();
   for (int i = 0; i < 12; ++i) {
     const double before = p.spins.terms().sum();
@@ -226,7 +230,7 @@ TEST(Relaxed_spins, never_ascends)
 }
 
 /// spins after some steps
-Spins found(const Mesh_view& mesh, const Curvature_potential& rho, double weight)
+Spins found(const Mesh_view& mesh, const Eigen::VectorXd& rho, double weight)
 {
   Problem p(mesh, rho, weight, exactly());
   for (int i = 0; i < 8; ++i) p.spins.advance();
@@ -241,38 +245,41 @@ double distance(const Spins& a, const Spins& b)
 TEST(Relaxed_spins, does_not_depend_on_the_unit_of_length)
 {
   const Mesh_view mesh = ellipsoid(2);
-  const Curvature_potential rho = waves_on(mesh, On::vertices, 1);
+  const Eigen::VectorXd rho = waves_on(mesh, 1);
   const Spins expected = found(mesh, rho, .7);
-  EXPECT_LT(distance(found(scaled(mesh, 8), {rho.on, rho.values / 8}, .7 / 64), expected), 1e-7);
+  EXPECT_LT(distance(found(scaled(mesh, 8), rho / 8, .7 / 64), expected), 1e-7);
 }
 
 TEST(Relaxed_spins, does_not_see_constants_of_rho)
 {
   const Mesh_view mesh = ellipsoid(2);
-  for (const On on : {On::vertices, On::faces}) {
-    const Curvature_potential rho = waves_on(mesh, on, 1);
-    const Eigen::VectorXd higher = rho.values.array() + 2;
-    EXPECT_LT(distance(found(mesh, {on, higher}, .7), found(mesh, rho, .7)), 1e-6);
-  }
+  const Eigen::VectorXd rho = waves_on(mesh, 1), higher = rho.array() + 2;
+  EXPECT_LT(distance(found(mesh, higher, .7), found(mesh, rho, .7)), 1e-6);
+}
+
+/// between the eigenvector of rho and spins without residuals
+double error_of_spins(const Mesh_view& mesh, double weight)
+{
+  const Eigen::VectorXd rho = waves_on(mesh, .5);
+  Dirac_system system(mesh);
+  const Spins exact =
+      CGP::solve_dirac_equation(system, Curvature_potential::on_vertices(rho)).lambda;
+  Problem p(mesh, rho, 1e-12, exactly({weight, .01 * weight}));
+  p.spins.restart(p.spins.start(), rho);
+  for (int i = 0; i < 8; ++i) p.spins.advance();
+  const double overlap = (std::min)(system.overlap(p.spins.lambda(), exact), 1.);
+  return std::sqrt(1 - overlap * overlap);
 }
 
 // Without residuals, rho' is rho up to the constant for which X has its smallest eigenvalue, and
-// lambda the eigenvector: as alpha becomes *small*. On a fixed mesh large alpha leads elsewhere:
-// there are more equations than unknowns, and what the mesh leaves of them outweighs rho.
+// lambda the eigenvector, up to the discretization, as the weights become *small*.
 TEST(Relaxed_spins, tends_to_the_solution_of_the_dirac_equation)
 {
-  const Mesh_view mesh = icosphere(2);
-  const Curvature_potential rho = waves_on(mesh, On::vertices, .5);
-  Dirac_system system(mesh);
-  const Spins exact = CGP::solve_dirac_equation(system, rho).lambda;
-  double last = .01;
-  for (const double alpha : {1., .1, .01}) {
-    Problem p(mesh, rho, 1e-12, exactly(alpha));
-    p.spins.restart(Spins::Constant(exact.size(), {1, 0, 0, 0}), rho.values);
-    for (int i = 0; i < 8; ++i) p.spins.advance();
-    const double overlap = (std::min)(system.overlap(p.spins.lambda(), exact), 1.);
-    const double error = std::sqrt(1 - overlap * overlap);
-    EXPECT_LT(error, last / 5) << alpha;
+  EXPECT_LT(error_of_spins(icosphere(2), .1), error_of_spins(icosphere(2), 1));
+  double last = .001;
+  for (const int level : {2, 3, 4}) {
+    const double error = error_of_spins(icosphere(level), .01);
+    EXPECT_LT(error, last / 3) << level;
     last = error;
   }
 }

@@ -65,36 +65,12 @@ TEST(Scale_control, measures_lengths_at_unchanged_area)
   EXPECT_NEAR(scales.high, 1 / std::sqrt(growth), 1e-12);  // one vertex is less than 1 %
 }
 
-TEST(Scale_control, is_exceeded_by_far_at_the_double_log)
-{
-  const Mesh_view mesh = icosphere(2);
-  const Eigen::VectorXd areas = CGP::vertex_areas(mesh);
-  Quaternion_vector<double> lambda =
-      Quaternion_vector<double>::Constant(mesh.size_of_vertices(), {1, 0, 0, 0});
-  for (int v = 0; v < mesh.size_of_vertices(); ++v)
-    if (mesh.position(v).x() > 0) lambda[v] = lambda[v] * std::sqrt(3.);
-  CGP::internal::Scale_control control;
-  const auto is_exceeded = [&](std::optional<double> bound) {
-    control.bound = bound;
-    return CGP::internal::exceeds_bound_by_far(lambda, areas, control);
-  };
-  const double least = 1 / CGP::internal::measured_scales(lambda, areas, control).low;
-  EXPECT_GT(least, 2);  // about sqrt(5): from 1 / sqrt(5) to 3 / sqrt(5)
-  EXPECT_FALSE(is_exceeded(std::nullopt));
-  EXPECT_FALSE(is_exceeded(1.01 * std::sqrt(least)));
-  EXPECT_TRUE(is_exceeded(.99 * std::sqrt(least)));
-  control.factors = Eigen::VectorXd::Ones(areas.size());
-  EXPECT_FALSE(is_exceeded(.99 * std::sqrt(least)));
-}
-
 TEST(Scale_control, compares_rho_without_its_mean_where_that_has_no_effect)
 {
   const auto kept = [](bool is_closed) {
     const Eigen::Vector4d areas(1, 2, 3, 4), rho(4, 4, 4, 5), found(2, 2, 2, 3);
     CGP::Spin_report::Scales scales;
-    CGP::internal::measure_kept(CGP::Curvature_potential::on_vertices(rho),
-                                CGP::Curvature_potential::on_vertices(found), areas, is_closed,
-                                scales);
+    CGP::internal::measure_kept(rho, found, areas, is_closed, scales);
     return scales;
   };
   EXPECT_NEAR(kept(true).distance(), 0, 1e-7);

@@ -91,19 +91,6 @@ class Derivative {
     return r;
   }
 
-  /// on closed surfaces, as a search does
-  void factor_near_the_eigenvalue()
-  {
-    CGP::internal::Dirac_system& system = transformation.system();
-    if (!system.is_closed()) return;
-    const Quaternion_vector<double>& lambda = found.lambda;
-    const double mu = CGP::inner_product(lambda, system.matrix() * lambda).w /
-                      (system.squared_norm(lambda) * system.unit());
-    CGP::internal::Dirac_evidence::Seconds seconds;
-    const Eigen::VectorXd potential = m_rho.values.array() + found.report.eigenvalue;
-    system.set_preconditioner({m_rho.on, potential * unit()}, seconds, 1e-3 - .8 * mu);
-  }
-
   const CGP::internal::Dirac_system& system() { return transformation.system(); }
   double unit() const { return transformation.domain().unit(); }
 
@@ -160,29 +147,6 @@ TEST(Spin_derivative, has_its_transpose)
     const double moved = z.cwiseProduct(d.positions->apply(dlambda)).sum();
     EXPECT_NEAR(d.direction.dot(of_positions), moved,
                 1e-11 * d.direction.norm() * of_positions.norm());
-  }
-}
-
-// With the factor for the inverse as well, and near the exact products as the factor is near mu.
-TEST(Spin_derivative, has_its_transpose_with_the_factor)
-{
-  using Inverse = CGP::internal::Spin_derivative::Inverse;
-  for (const Case& c : cases()) {
-    SCOPED_TRACE(c.name);
-    Derivative d(c);
-    d.factor_near_the_eigenvalue();
-    const auto q = CGP::internal::log_scale_gradient(
-        d.found.lambda, without_mean(random_numbers(c.mesh.size_of_vertices(), 6)));
-    const int before = d.spins->number_of_solves();
-    const double there =
-        CGP::inner_product(q.col(0), d.spins->apply(d.direction, Inverse::factor).col(0)).w;
-    const bool has_directions = c.options.boundary.kind == Boundary::Kind::directions;
-    EXPECT_EQ(d.spins->number_of_solves() - before == 1, !has_directions);
-    const Eigen::VectorXd back = d.spins->apply_transpose(q, Inverse::factor),
-                          exact = d.spins->apply_transpose(q);
-    const double rounding = 1e-6;  // of a factor in single precision
-    EXPECT_NEAR(d.direction.dot(back), there, rounding * d.direction.norm() * back.norm());
-    EXPECT_LT((back - exact).norm(), .3 * exact.norm());
   }
 }
 

@@ -55,10 +55,12 @@ TEST(Spin_preview, is_near_the_transformation_after_ten_solves_on_any_mesh)
   for (const Mesh_view& mesh : surfaces()) {
     CGP::Spin_transformation exact(mesh);
     const CGP::Spin_result wanted = exact.transform(bump(mesh, 1.5));
+    (void)exact.exactness(Curvature_potential::On::vertices);  // once for all strokes
+    (void)exact.take_unreported();
     const CGP::Spin_result r = Preview(exact).transform(bump(mesh, 1.5));
     EXPECT_LE(r.report.solves, 10);
     EXPECT_LT(r.report.residual, 5e-3);
-    const bool has_loops = wanted.report.steps > 1 || wanted.report.missing_share > 0;
+    const bool has_loops = wanted.report.missing_share > 0;
     EXPECT_LT(relative_error(mesh, wanted.positions, r.positions), has_loops ? .2 : .02)
         << mesh.size_of_vertices() << " vertices";
   }

@@ -61,7 +61,6 @@ TEST(Spin_transformation, by_rho_zero_leaves_the_surface_as_it_is)
        {radially_perturbed(icosphere(2), 0.2), torus(3, 1, 14, 9), block(2, 1, 3)}) {
     const CGP::Spin_result r = CGP::Spin_transformation(mesh).transform(constant(mesh, 0));
     EXPECT_TRUE(r.report);
-    EXPECT_EQ(r.report.iterations, 0);
     EXPECT_LT(greatest_displacement(r.positions, mesh.positions()), 1e-11);
     EXPECT_NEAR(r.report.conformality.quasi_conformal.max, 1, 1e-11);
     EXPECT_NEAR(r.report.min_spin_ratio, 1, 1e-12);

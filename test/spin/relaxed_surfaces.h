@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "spin/boundary_tools.h"
+#include "support/bounded_meshes.h"
 #include "support/meshes.h"
 
 /// The surfaces and potentials on which relaxed spins are tried.
@@ -17,14 +18,19 @@ inline Mesh_view ellipsoid(int level)
   return perturbed(mapped(icosphere(level), stretched), .02);
 }
 
-inline Curvature_potential waves_on(const Mesh_view& mesh, Curvature_potential::On on,
-                                    double amplitude)
+/// a cap with irregular faces
+inline Mesh_view bounded_cap()
 {
-  const auto at_point = [=](const Eigen::Vector3d& p) {
-    return amplitude * std::sin(2 * p.y() + 1) * std::cos(3 * p.x());
-  };
-  return on == Curvature_potential::On::vertices ? potential_on_vertices(mesh, at_point)
-                                                 : potential_on_faces(mesh, at_point);
+  return cap_from_disk(jittered_disk(8, .2), 1.2);
+}
+
+inline Eigen::VectorXd waves_on(const Mesh_view& mesh, double amplitude)
+{
+  return potential_on_vertices(mesh,
+                               [=](const Eigen::Vector3d& p) {
+                                 return amplitude * std::sin(2 * p.y() + 1) * std::cos(3 * p.x());
+                               })
+      .values;
 }
 
 }  // namespace cgp_test

@@ -92,32 +92,6 @@ TEST_F(Branch_on_icosphere_3, is_not_claimed_when_the_iterations_do_not_suffice)
   EXPECT_FALSE(CGP::solve_dirac_equation(system, smooth_potential(sphere, 5), options).converged);
 }
 
-TEST_F(Branch_on_icosphere_3, is_left_where_spins_on_it_are_too_far)
-{
-  const Curvature_potential rho = smooth_potential(sphere, 5);
-  const CGP::internal::Dirac_solution whole = CGP::solve_dirac_equation(system, rho);
-  const CGP::internal::Always_go_further always;
-  std::vector<double> overlaps;
-  const auto solve = [&](double least_overlap) {
-    overlaps.clear();
-    return CGP::solve_dirac_equation(system, rho, {}, always, [&](const auto& lambda) {
-      overlaps.push_back(system.overlap_with_identity(lambda));
-      return overlaps.back() < least_overlap;
-    });
-  };
-  const CGP::internal::Dirac_solution all = solve(0);
-  EXPECT_TRUE(all.converged);
-  EXPECT_EQ(all.lambda, whole.lambda);
-  ASSERT_FALSE(overlaps.empty());  // at the end of each stage but the last
-  EXPECT_LT(overlaps.front(), 1);
-  const CGP::internal::Dirac_solution part = solve(overlaps.front() + 1e-3);
-  EXPECT_FALSE(part.converged);
-  EXPECT_FALSE(part.cancelled);
-  EXPECT_EQ(overlaps.size(), 1);
-  EXPECT_NEAR(part.overlap, overlaps.front(), 1e-12);
-  EXPECT_LT(part.factorizations, all.factorizations);
-}
-
 TEST_F(Branch_on_icosphere_3, is_left_when_cancelled_within_the_stages)
 {
   int asked = 0;

@@ -20,6 +20,7 @@ void report_details(const CGP::Spin_report& spin, Report& report)
   report.set("result/overlap", spin.overlap);
   report.set("result/substeps", spin.substeps);
   report.set("result/spectral_shift", spin.spectral_shift);
+  report.set("result/relaxed", spin.is_relaxed);
   report.set("result/dirac_residual", spin.dirac_residual);
   if (spin.branch_gap > 0) report.set("result/branch_gap", spin.branch_gap);
   report.set("result/factorizations", spin.factorizations);
@@ -113,7 +114,10 @@ void tell_certificate(const CGP::Spin_report& spin, int faces, Outcome& outcome)
 {
   Report& report = outcome.report;
   report.tell("result/eigenvalue", "eigenvalue gamma (1/length)", spin.eigenvalue);
-  report.tell("result/residual", "residual of the eigenvector", spin.residual, 3);
+  if (spin.is_relaxed)
+    report.show("residual of the Dirac equation (1/length)", text_of(spin.dirac_residual, 3));
+  else
+    report.tell("result/residual", "residual of the eigenvector", spin.residual, 3);
   if (spin.gap > 0) report.tell("result/gap", "gap to the next eigenvalue", spin.gap);
   const bool has_parts = spin.substeps > 1;
   report.show("iterations",
@@ -121,8 +125,7 @@ void tell_certificate(const CGP::Spin_report& spin, int faces, Outcome& outcome)
                   (has_parts ? " in " + std::to_string(spin.substeps) + " substeps" : ""));
   report.tell("result/closure_residual", "closure residual", spin.closure_residual, 3);
   report.tell("result/min_spin_ratio", "min / max of |lambda|", spin.min_spin_ratio, 3);
-  if (spin.steps != 1 || spin.missing_share > 0) {
-    report.show("steps that keep handles closed", std::to_string(spin.steps));
+  if (spin.missing_share > 0) {
     report.show("realised of rho (% of its norm)", text_of(100 * spin.realised_share, 3));
     report.show("left out of rho, for handles (% of its norm)",
                 text_of(100 * spin.missing_share, 3));

@@ -81,7 +81,9 @@ std::string objection(const CGP::Spin_report& report, const CGP::Points& positio
       return "the eigenvalue is not finite: the mesh is too small or too thin; try: a finer mesh";
     case Fault::cancelled:
     case Fault::not_solved:
-      return "the eigenvector did not converge: residual " + text_of(report.residual, 3) +
+      return (report.is_relaxed
+                  ? "no spins were found"
+                  : "the eigenvector did not converge: residual " + text_of(report.residual, 3)) +
              " after " + count_of(static_cast<std::size_t>(report.iterations), "iteration") +
              "; try: " + easier + ", or a finer mesh";
     case Fault::boundary:
@@ -129,9 +131,10 @@ std::string shortfall(const CGP::Spin_report& report)
   return "the curvature has changed by " + text_of(100 * realised.share, 3) +
          " % of rho with a correlation of " + text_of(realised.correlation, 3) +
          ", measured on the new surface; try: " +
-         (is_bound      ? "a larger --max-scale, rho with larger features, or a finer mesh"
-          : has_handles ? "rho with smaller features, or --open-handles"
-                        : "a weaker rho, or a finer mesh");
+         (is_bound            ? "a larger --max-scale, rho with larger features, or a finer mesh"
+          : has_handles       ? "rho with smaller features, or --open-handles"
+          : report.is_relaxed ? "a weaker rho, or a finer mesh"
+                              : "--max-scale 2, a weaker rho, or a finer mesh");
 }
 
 std::string objection(const CGP::Conformality& map, const Verification_limits& limits,

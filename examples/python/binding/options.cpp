@@ -130,6 +130,7 @@ CGP::Spin_report::Limits limits(const py::dict& options)
   take(options, "realised_share", l.realised_share);
   take(options, "kept_norm", l.kept_norm);
   take(options, "agreement", l.agreement);
+  take(options, "opposition", l.opposition);
   take(options, "quasi_conformal", l.map.quasi_conformal);
   take(options, "flipped_share", l.map.flipped_share);
   take(options, "collapsed_share", l.map.collapsed_share);

@@ -65,11 +65,12 @@ py::dict as_dict(const CGP::Spin_report::Seconds& s)
 
 py::dict as_dict(const CGP::Spin_report::Limits& l)
 {
-  return py::dict(
-      "residual"_a = l.residual, "closure"_a = l.closure, "direction_error"_a = l.direction_error,
-      "realised_share"_a = l.realised_share, "kept_norm"_a = l.kept_norm,
-      "agreement"_a = l.agreement, "quasi_conformal"_a = l.map.quasi_conformal,
-      "flipped_share"_a = l.map.flipped_share, "collapsed_share"_a = l.map.collapsed_share);
+  return py::dict("residual"_a = l.residual, "closure"_a = l.closure,
+                  "direction_error"_a = l.direction_error, "realised_share"_a = l.realised_share,
+                  "kept_norm"_a = l.kept_norm, "agreement"_a = l.agreement,
+                  "opposition"_a = l.opposition, "quasi_conformal"_a = l.map.quasi_conformal,
+                  "flipped_share"_a = l.map.flipped_share,
+                  "collapsed_share"_a = l.map.collapsed_share);
 }
 
 py::dict as_dict(const CGP::Parameterization_report::Seconds& s)
@@ -126,11 +127,12 @@ py::dict as_dict(const CGP::Conformality& c)
 py::dict as_dict(const CGP::Spin_report& r)
 {
   py::dict d("fault"_a = fault_of(r), "converged"_a = r.converged, "cancelled"_a = r.cancelled,
-             "eigenvalue"_a = r.eigenvalue, "residual"_a = r.residual,
-             "dirac_residual"_a = r.dirac_residual, "gap"_a = r.gap, "branch_gap"_a = r.branch_gap,
-             "overlap"_a = r.overlap, "iterations"_a = r.iterations, "substeps"_a = r.substeps,
-             "factorizations"_a = r.factorizations, "solves"_a = r.solves,
-             "spectral_shift"_a = r.spectral_shift, "is_generalized"_a = r.is_generalized,
+             "is_relaxed"_a = r.is_relaxed, "eigenvalue"_a = r.eigenvalue,
+             "residual"_a = r.residual, "dirac_residual"_a = r.dirac_residual, "gap"_a = r.gap,
+             "branch_gap"_a = r.branch_gap, "overlap"_a = r.overlap, "iterations"_a = r.iterations,
+             "substeps"_a = r.substeps, "factorizations"_a = r.factorizations,
+             "solves"_a = r.solves, "spectral_shift"_a = r.spectral_shift,
+             "is_generalized"_a = r.is_generalized,
              "generalized_eigenvalue"_a = r.generalized_eigenvalue);
   d["steps"] = r.steps;
   d["reached"] = r.reached;

@@ -3,12 +3,12 @@
 
 #include <Conformal_geometry_processing/algebra/rotor.h>
 #include <Conformal_geometry_processing/exceptions.h>
-#include <Conformal_geometry_processing/spin/Control_point_search.h>
 #include <Conformal_geometry_processing/spin/certify.h>
 #include <Conformal_geometry_processing/threads/Thread_team.h>
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
@@ -16,20 +16,13 @@
 
 namespace Conformal_geometry_processing::internal {
 
-/// the report of a search, without what is measured on the surface
-void tell_search(const Control_point_search& of, double unit, Spin_report& report)
+/// whether these are the same points, with whatever targets
+bool are_same(const std::vector<Control_point>& points, const std::vector<Control_point>& others)
 {
-  const Dirac_solution& costs = of.search().costs();
-  const Dirac_solution& solution = of.search().present().solution;
-  static_cast<Dirac_evidence&>(report) = in_units(solution, unit);
-  static_cast<Dirac_evidence::Seconds&>(report.seconds) = costs.seconds;
-  report.cancelled = costs.cancelled;
-  report.iterations = report.factorizations = report.solves = 0;
-  add_costs(static_cast<Dirac_evidence&>(report), costs);
-  report.reached = of.reached();
-  report.steps = of.steps();
-  report.realised_share = report.reached;
-  report.limits.realised_share = 1;
+  const auto is_same = [](const Control_point& a, const Control_point& b) {
+    return a.vertices == b.vertices && a.weights == b.weights;
+  };
+  return std::equal(points.begin(), points.end(), others.begin(), others.end(), is_same);
 }
 
 inline std::optional<Region_of_interest> region_of(const Mesh_view& mesh,
@@ -76,27 +69,26 @@ std::vector<Control_point> Conformal_deformation::all_points(
 }
 
 Spin_result Conformal_deformation::deform(const std::vector<Control_point>& given,
-                                          const Dirac_options& options,
-                                          const Go_further& go_further)
+                                          const Dirac_options&, const Go_further& go_further)
 {
   const internal::Thread_team team;
   m_visits.require_no_visit(m_function);
   const std::vector<Control_point> points = all_points(given);
   require_extent(points);
-  if (!m_search || !m_search->is_for(points))
-    m_search = std::make_unique<Search>(m_transformation, points, m_options);
-  const Framed_surface& domain = m_transformation.domain();
-  m_search->run(domain.frame().to_frame(targets_of(points)), options, m_visits.guarded(go_further));
-  const auto& found = m_search->search().present();
-  m_rho = {found.rho.on, found.rho.values / domain.unit()};
-  Spin_result result;
-  if (!m_search->search().costs().cancelled)
-    result = m_transformation.integrate(found.solution.lambda);
-  tell_search(*m_search, domain.unit(), result.report);
-  add_costs(result.report, m_transformation.take_unreported());
-  if (result.report.cancelled) return result;
-  result.report.period_defect = m_search->period_defect();
-  if (m_options.surface.scales.bound) result.report.scales = m_search->scales();
+  const Walk walk = search(points, m_visits.guarded(go_further));
+  Spin_result result = m_positions->present();
+  m_rho = Curvature_potential::on_vertices(m_positions->scales().spins().rho() /
+                                           m_transformation.domain().unit());
+  Spin_report& r = result.report;
+  r.cancelled = walk.is_cancelled;
+  r.reached = r.realised_share = walk.reached;
+  r.limits.realised_share = 1;
+  r.steps = walk.steps;
+  add_costs(r, m_transformation.take_unreported());
+  if (r.cancelled) {
+    result.positions.resize(3, 0);
+    return result;
+  }
   place(points, result);
   if (m_region) {
     m_rho.values = m_region->in_whole(m_rho.values);
@@ -104,6 +96,59 @@ Spin_result Conformal_deformation::deform(const std::vector<Control_point>& give
     result.lambda = m_region->in_whole(result.lambda);
   }
   return result;
+}
+
+auto Conformal_deformation::search(const std::vector<Control_point>& points,
+                                   const Go_further& go_further) -> Walk
+{
+  const Points targets = m_transformation.domain().frame().to_frame(targets_of(points));
+  const bool has_run = m_positions && are_same(points, m_positions->points());
+  if (!has_run) {
+    const double w = m_options.position_weight;
+    const Eigen::VectorXd no_rho = Eigen::VectorXd::Zero(m_transformation.system().areas().size());
+    m_positions = std::make_unique<Relaxed_positions>(
+        m_transformation,
+        Relaxed_positions::Problem{points, {}, no_rho, m_options.surface.scales, w * w}, targets);
+    m_initial = m_positions->state();
+  }
+  m_positions->reset_costs();
+  Walk found = walk(targets, go_further);
+  if (!has_run || found.reached == 1 || found.is_cancelled) return found;
+  m_positions->restart(m_initial);
+  return walk(targets, go_further);
+}
+
+auto Conformal_deformation::walk(const Points& targets, const Go_further& go_further) -> Walk
+{
+  const Points from = m_positions->present_points();
+  const Alignment a = placement(from, targets);
+  const Points to = a.rotation.transpose() * (targets.colwise() - a.translation) / a.scale;
+  Walk walk;
+  for (double step = 1; walk.reached < 1 && step >= m_options.min_step && !walk.is_cancelled;) {
+    const double rest = 1 - walk.reached - step, share = rest < m_options.min_step ? 1 : 1 - rest;
+    if (go_to(from + share * (to - from), walk, go_further))
+      walk.reached = share;
+    else
+      step /= 2;
+  }
+  return walk;
+}
+
+bool Conformal_deformation::go_to(const Points& targets, Walk& walk, const Go_further& go_further)
+{
+  const Relaxed_positions::State before = m_positions->state();
+  m_positions->set_targets(targets);
+  walk.is_cancelled = m_positions->go_on(go_further) == Relaxed_scales::End::cancelled;
+  if (walk.is_cancelled) return false;
+  if (m_positions->is_met()) {
+    const Spin_report report = m_positions->present().report;
+    if (report && report.conformality.flipped_faces == 0) {
+      ++walk.steps;
+      return true;
+    }
+  }
+  m_positions->restart(before);
+  return false;
 }
 
 void Conformal_deformation::require_extent(const std::vector<Control_point>& points) const

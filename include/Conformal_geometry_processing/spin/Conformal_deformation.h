@@ -4,8 +4,8 @@
 #include <Conformal_geometry_processing/linear_algebra/krylov/Visit_guard.h>
 #include <Conformal_geometry_processing/spin/Conformal_deformation_options.h>
 #include <Conformal_geometry_processing/spin/Control_point.h>
-#include <Conformal_geometry_processing/spin/Control_point_search.h>
 #include <Conformal_geometry_processing/spin/Region_of_interest.h>
+#include <Conformal_geometry_processing/spin/Relaxed_positions.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
 
 #include <memory>
@@ -17,21 +17,20 @@ namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgSpin
 /// \brief deforms a surface conformally so that control points on it move to given positions: finds
-/// the least change rho of mean curvature whose spin transformation [CGP (5.3)-(5.5)], placed by a
-/// similarity, takes them there.
+/// the least change rho of mean curvature, and spins that nearly solve its Dirac equation [CGP
+/// (5.3)-(5.5)], whose surface, placed by a similarity, has them there.
 ///
-/// Minimises <rho, K rho> with the inner product K of `Potential_metric`, so that rho is smooth,
-/// subject to the positions, by the method of Gauss and Newton, see `Potential_search`: the
-/// gradient of each coordinate by rho is found by the transpose of the derivative of the
-/// transformation, at the cost of two solves with factors at hand.
-/// Similarities cost nothing: if the targets are the image of the control points under one, so is
-/// the result. The targets are approached in steps along straight lines, after the similarity, and
-/// a step counts only if the surface it leads to verifies and no face is flipped. Where that fails,
-/// the result is the last surface that did, and `Spin_report::reached` its share of the way.
+/// These are those of `Relaxed_positions`: rho is the smallest in the norm of `Potential_metric`,
+/// and so smooth. Similarities cost nothing: if the targets are the image of the control points
+/// under one, so is the result. The targets are approached in steps along straight lines, after the
+/// similarity, and a step counts only if the surface it leads to verifies and no face is flipped.
+/// Where that fails, the result is the last surface that did, and `Spin_report::reached` its share
+/// of the way.
 ///
-/// Around handles and holes the edges of the surface stay closed, by constraints of the same
-/// search. A boundary is free. With a bound on scales, the weight of a term for them is raised
-/// until the lengths are within it, relative to the result without the similarity.
+/// Around handles and holes the edges of the surface stay closed, by a `Period_residual`. A
+/// boundary is free. With a bound on scales, the weight of a term for them is raised until the
+/// lengths are within it, relative to the result without the similarity; the way ends where that
+/// fails.
 ///
 /// With a region, only its faces are deformed, with the anchors of the `Region_of_interest` as
 /// further control points; the result is placed by these, and fades out in the collar. rho is that
@@ -50,11 +49,11 @@ class Conformal_deformation {
 
   /// \brief deforms the surface that was given to the constructor.
   ///
-  /// With the points of the last call, as while one is dragged, it starts from the last surface,
-  /// and the gradients found there are used while the search converges with them: a small move
-  /// takes a few factorizations. Targets that cannot be reached from there are approached from the
-  /// initial surface. <rho, K rho> is that of a first call up to about 1 %; where its minimum is
-  /// flat, as on a round sphere, the positions differ by more.
+  /// With the points of the last call, as while one is dragged, it starts from the last spins, with
+  /// the factor found there as long as these move little: a small move takes a few solves. Targets
+  /// that cannot be reached from there are approached from the initial surface. The sum of the
+  /// terms is that of a first call up to about 2 %; where its minimum is flat, as on a round
+  /// sphere, the positions differ by more.
   ///
   /// The report contains the share of the way (`reached`), the number of `steps`, and the distances
   /// from the targets (`position_error`). If it was cancelled, there are no positions.
@@ -70,13 +69,30 @@ class Conformal_deformation {
   const Curvature_potential& potential() const { return m_rho; }
 
  private:
-  using Search = Control_point_search;
+  /// how far control points have come
+  struct Walk {
+    double reached = 0;  // share of the way
+    int steps = 0;
+    bool is_cancelled = false;
+  };
 
   /// \throw Precondition_error if the best similarity shrinks the points to one
   void require_extent(const std::vector<Control_point>& points) const;
 
   /// the points on the surface that is transformed, and what holds it
   std::vector<Control_point> all_points(const std::vector<Control_point>& points) const;
+
+  /// \brief goes from the present surface as far as surfaces are good, in steps along straight
+  /// lines.
+  /// \param targets 3 x number of points, in the frame of the transformation
+  Walk walk(const Points& targets, const Go_further& go_further);
+
+  /// \brief goes on to targets at the control points of the next surface
+  /// \returns whether they are met, and the surface can be a result; otherwise all is as it was
+  bool go_to(const Points& targets, Walk& walk, const Go_further& go_further);
+
+  /// likewise from the last surface with the same points, or else from the initial one
+  Walk search(const std::vector<Control_point>& points, const Go_further& go_further);
 
   /// moves a surface to the targets by a similarity, fades it out, and measures it there
   void place(const std::vector<Control_point>& points, Spin_result& result) const;
@@ -87,7 +103,8 @@ class Conformal_deformation {
   std::optional<Region_of_interest> m_region;  // none: the whole mesh
   Conformal_deformation_options m_options;
   Spin_transformation m_transformation;
-  std::unique_ptr<Search> m_search;  // for the last points; refers to the members before
+  std::unique_ptr<Relaxed_positions> m_positions;  // of the last points; refers to members before
+  Relaxed_positions::State m_initial;              // the surface that is deformed
   Curvature_potential m_rho;
 };
 

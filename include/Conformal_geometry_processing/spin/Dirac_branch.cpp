@@ -32,7 +32,7 @@ Dirac_branch::Dirac_branch(System& system, const Curvature_potential& rho,
   add(m_one);
 }
 
-void Dirac_branch::solve(const Is_too_far& is_too_far)
+void Dirac_branch::solve()
 {
   Branch_point at, next;
   double end = 1;
@@ -62,7 +62,6 @@ void Dirac_branch::solve(const Is_too_far& is_too_far)
     }
     at = next;
     if (at.t == 1) return conclude(at);
-    if (is_too_far && is_too_far(m_s.lambda)) break;
     end = 1;
     forget_early_vectors();
     add(m_s.lambda);
@@ -73,42 +72,17 @@ void Dirac_branch::solve(const Is_too_far& is_too_far)
   m_s.converged = false;
 }
 
-void Dirac_branch::correct(const Dirac_solution& guess)
-{
-  Branch_point p;
-  p.t = 1;
-  p.gamma = guess.eigenvalue;
-  if (guess.gap > 0) p.gap = guess.gap;
-  if (guess.branch_gap > 0) p.least_gap = guess.branch_gap;
-  m_s.lambda = guess.lambda;
-  m_is_guess = true;
-  m_system.assemble(potential(1, p.gamma), m_s.seconds);
-  const double energy = inner_product(guess.lambda, m_system.matrix() * guess.lambda).w /
-                        m_system.squared_norm(guess.lambda);
-  const double share = 0.8;  // mu depends on rho, and is less than the energy of the guess
-  const double known = (std::min)(energy, guess.energy);
-  place_pole(1, p.gamma, known > 0 ? share * known : 0);
-  refine(p, m_options.tolerance);
-  conclude(p);
-  if (m_system.overlap(m_s.lambda, guess.lambda) < same_vector) m_s.converged = false;
-}
-
 Curvature_potential Dirac_branch::potential(double t, double sigma) const
 {
   return {m_rho.on, (t * m_rho.values.array() + sigma).matrix()};
 }
 
-void Dirac_branch::place_pole(double t, double sigma, double energy)
+void Dirac_branch::place_pole(double t, double sigma)
 {
-  const double shift = 1e-3 - energy / m_system.unit();
   m_pole.t = t;
   m_pole.gamma = sigma;
-  if (m_is_guess)  // its factor is to stand for the inverse, also in `Spin_derivative`
-    m_system.set_potential(potential(t, sigma), m_s.seconds, shift);
-  else
-    m_system.set_preconditioner(potential(t, sigma), m_s.seconds, shift);
-  const bool is_first = m_system.shift() == shift * m_system.unit();
-  m_s.factorizations += shift > 0 || is_first ? 1 : 2;
+  m_system.set_preconditioner(potential(t, sigma), m_s.seconds);
+  ++m_s.factorizations;
 }
 
 bool Dirac_branch::is_near_pole(const Branch_point& p) const

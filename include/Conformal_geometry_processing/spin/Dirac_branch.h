@@ -49,14 +49,7 @@ class Dirac_branch {
   Dirac_branch(System& system, const Curvature_potential& rho, const Dirac_options& options,
                Dirac_solution& s, const Go_further& go_further);
 
-  /// \param is_too_far of spins for t rho, t < 1: the branch is followed no further
-  void solve(const Is_too_far& is_too_far = {});
-
-  /// \brief finds the eigenpair near an approximate one instead, without following the branch from
-  /// 1: one factorization, as a rule.
-  /// \param guess spins, eigenvalue and gaps; converged only if the result overlaps with its spins
-  /// by `same_vector`
-  void correct(const Dirac_solution& guess);
+  void solve();
 
  private:
   /// \brief vectors of the span, which bounds the dense work of a stage.
@@ -71,10 +64,8 @@ class Dirac_branch {
   /// t rho + sigma
   Curvature_potential potential(double t, double sigma) const;
 
-  /// \brief factors X there.
-  /// \param energy subtracted, times M_V: a bound of the smallest eigenvalue from below, as a rule;
-  /// where X is indefinite then, nothing is, at the cost of another factorization
-  void place_pole(double t, double sigma, double energy = 0);
+  /// factors X there
+  void place_pole(double t, double sigma);
 
   /// whether the factor at hand is a good preconditioner at the point
   bool is_near_pole(const Branch_point& p) const;
@@ -159,7 +150,6 @@ class Dirac_branch {
   Branch_point m_pole;
   Shift_secant m_secant;
   bool m_follows_quotient = false;
-  bool m_is_guess = false;   // which is given up where the secant method does not come nearer
   bool m_may_settle = true;  // no stage that relied on it has been rejected
 };
 

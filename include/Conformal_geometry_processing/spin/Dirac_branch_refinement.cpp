@@ -16,7 +16,7 @@ void Dirac_branch::refine(Branch_point& p, double tolerance)
 {
   const int max_passes = 12;
   Branch_point at = p;  // gamma is the shift of X
-  double last_sigma = 0, last_change = 0;
+  double last_sigma = 0;
   m_secant.restart();
   m_follows_quotient = true;
   for (int pass = 0; pass < max_passes; ++pass) {
@@ -28,10 +28,7 @@ void Dirac_branch::refine(Branch_point& p, double tolerance)
     if (m_s.converged || m_s.cancelled || m_s.iterations >= m_options.max_iterations) return;
     const bool has_moved = pass > 0 && sigma != last_sigma;
     if (pass > 1 && !has_moved) return;  // rounding errors keep the residual above the tolerance
-    const double least_progress = 0.7;   // once the secant method knows the derivative
-    if (m_is_guess && pass > 1 && std::abs(change) > least_progress * std::abs(last_change)) return;
     last_sigma = sigma;
-    last_change = change;
     move(at, m_secant.step(sigma, change, stationary(tolerance)));
   }
 }

@@ -4,8 +4,6 @@
 #include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
 #include <Conformal_geometry_processing/linear_algebra/krylov/Eigensolver_ref.h>
 
-#include <functional>
-
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgSpin
@@ -46,10 +44,15 @@ struct Dirac_evidence {
   bool converged = false;  ///< the equation is solved to the tolerance
   bool cancelled = false;  ///< the visitor cancelled
 
-  double eigenvalue = 0;  ///< gamma, signed, in 1/length
+  /// lambda is that of `Relaxed_spins`, with another potential rho': no eigenvector, and
+  /// `residual`, `gap` and `branch_gap` have no meaning
+  bool is_relaxed = false;
+
+  double eigenvalue = 0;  ///< gamma, signed, in 1/length; the mean of rho' - rho
   double residual = 0;    ///< estimate of the error of lambda: the norm of X lambda - mu M_V lambda
                           ///< dual to the energy, divided by sqrt(4 pi / area) |lambda|
-  /// |(D - rho - gamma) lambda| / |lambda|, in 1/length: what the mesh leaves of the equation
+  /// |(D - rho - gamma) lambda| / |lambda|, or of D - rho', in 1/length: what the mesh leaves of
+  /// the equation
   double dirac_residual = 0;
   /// distance from gamma to the nearest other eigenvalue that was found, in 1/length: an upper
   /// bound of the true gap. Zero, and in no report, if no other was looked for, as where the
@@ -81,10 +84,6 @@ struct Dirac_solution : Dirac_evidence {
   Seconds seconds;       ///< of each stage
   int largest_span = 0;  ///< vectors of the largest span in which the branch was followed
 };
-
-/// \ingroup PkgSpin
-/// \brief whether spins on the branch from rho = 0 make the rest of it useless; empty: none do.
-using Is_too_far = std::function<bool(const Quaternion_vector<double>&)>;
 
 /// \ingroup PkgSpin
 /// adds the iterations, factorizations and solves of another solution

@@ -6,7 +6,6 @@
 #include <Conformal_geometry_processing/mesh/Normalized_frame.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
-#include <Conformal_geometry_processing/spin/Target_search.h>
 #include <Conformal_geometry_processing/spin/checked_target.h>
 #include <Conformal_geometry_processing/spin/curvature_of_spins.h>
 #include <Conformal_geometry_processing/spin/face_spins.h>
@@ -104,45 +103,7 @@ Nearest_spin_result Nearest_spin_transformation::transform_once(
       start = std::move(same);
     }
   }
-  return searched(std::move(start), options, go_further);
-}
-
-Nearest_spin_result Nearest_spin_transformation::searched(Nearest_spin_result start,
-                                                          const Dirac_options& options,
-                                                          const internal::Go_further& go_further)
-{
-  const internal::Framed_surface& domain = m_transformation->domain();
-  const auto* const exactness =
-      m_transformation->exactness_if_looped(Curvature_potential::On::vertices);
-  // What several steps or a bound have made of rho is the transformation by no known rho.
-  const bool is_known = !exactness && start.report.scales.weight == 0;
-  const bool is_turned = m_transformation->system().directions() && !is_known;
-  if (!start.report.converged || is_turned) return start;
-  if (is_known && start.report && m_mismatch.is_reached(start.distance, start.normal_distance))
-    return start;
-  Curvature_potential rho = is_known ? start.rho : no_potential(domain.mesh());
-  rho.values *= domain.unit();
-  // The size of the target must not weigh distances against rho.
-  const Points target =
-      align(m_target, m_transformation->positions(), m_transformation->system().areas())
-          .apply(m_target);
-  internal::Target_search search(*m_transformation, domain.frame().to_frame(target), m_mismatch,
-                                 m_options.scales, std::move(rho), exactness);
-  std::optional<internal::Dirac_solution> first;
-  if (is_known) first = {in_units(start.report, 1 / domain.unit()), start.lambda, 0, {}};
-  search.run(first, options, go_further);
-  Spin_result found = search.best();
-  const bool is_cancelled = found.report.cancelled;
-  if (found.positions.size() > 0) align_spins(found.lambda);
-  rho = {search.potential().on, search.potential().values / domain.unit()};
-  Nearest_spin_result nearest = placed(std::move(found), std::move(rho));
-  const bool is_nearer = nearest.report && nearest.distance <= nearest.source_distance &&
-                         m_mismatch.sum(nearest.distance, nearest.normal_distance) <
-                             m_mismatch.sum(start.distance, start.normal_distance);
-  Nearest_spin_result& best = is_cancelled || is_nearer ? nearest : start;
-  add_costs(best.report, (&best == &start ? nearest : start).report);
-  add_costs(best.report, m_transformation->take_unreported());
-  return std::move(best);
+  return searched(std::move(start), go_further);
 }
 
 Nearest_spin_result Nearest_spin_transformation::unchanged()

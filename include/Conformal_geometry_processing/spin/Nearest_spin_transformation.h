@@ -16,6 +16,12 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
+class Relaxed_positions;
+
+}  // namespace internal
+
 /// \ingroup PkgSpin
 /// a conformal deformation near a given one, or a blend of the two
 struct Nearest_spin_result : Spin_result {
@@ -64,8 +70,8 @@ struct Nearest_spin_options {
 ///
 /// Starts from the spin transformation with the same curvature and, on surfaces with boundary, the
 /// same tangents or another direction of the boundary [CGP 5.9, 6.3], or from the mesh if that is
-/// nearer, and searches on with the derivative of the positions by rho, see
-/// `internal::Target_search`. The result is never farther from the target than the mesh.
+/// nearer, and searches on among conformal surfaces of other curvature, see
+/// `internal::Relaxed_positions`. The result is never farther from the target than the mesh.
 /// Where the directions at the boundary lead to no such surface, it is tried with others: the
 /// binormals, the tangents, and in the end none.
 ///
@@ -123,6 +129,8 @@ class Nearest_spin_transformation {
   Nearest_spin_result blend(const Nearest_spin_result& nearest, double t);
 
  private:
+  using Search = internal::Relaxed_positions;
+
   Nearest_spin_transformation(const std::string& function, const Mesh_view& mesh, Points target,
                               const Nearest_spin_options& options);
   void use(Quaternion_vector<double> mu);
@@ -134,9 +142,27 @@ class Nearest_spin_transformation {
   Nearest_spin_result transform_once(const Dirac_options& options,
                                      const internal::Go_further& go_further);
 
-  /// what a search finds from `start`, or `start`
-  Nearest_spin_result searched(Nearest_spin_result start, const Dirac_options& options,
-                               const internal::Go_further& go_further);
+  /// \brief what `internal::Relaxed_positions` find from `start`, or `start`, with the costs of
+  /// both: minimises
+  ///
+  ///     |(D - rho') lambda|^2_W + |rho' - rho|^2_K + w / R^2 distance^2
+  ///
+  /// with the mean square distance of vertices from targets after the best similarity.
+  ///
+  /// The weight w grows as long as surfaces verify, are within a bound on lengths, and the mismatch
+  /// of positions and normals together falls (`internal::Target_mismatch`), or until nobody sees
+  /// the rest, or the edges close up worse than those of conformal surfaces of such a mesh: what is
+  /// far from conformal would be approached by shear, and by wrinkles that the mesh cannot
+  /// represent. Where that fails, w grows less.
+  Nearest_spin_result searched(Nearest_spin_result start, const internal::Go_further& go_further);
+
+  /// a search that is at `start`
+  std::unique_ptr<Search> positions_from(const Nearest_spin_result& start);
+
+  /// where a search is, with its costs since the last call
+  Nearest_spin_result present(Search& search);
+
+  bool is_better(const Nearest_spin_result& next, const Nearest_spin_result& best) const;
 
   /// the mesh, moved to the target
   Nearest_spin_result unchanged();

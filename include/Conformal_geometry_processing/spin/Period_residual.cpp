@@ -25,13 +25,14 @@ void Period_residual::set_spins(const Spins& lambda)
 // The length counts as constant: its change is multiplied by values that become zero.
 Eigen::VectorXd Period_residual::change(const Spins& dlambda) const
 {
-  return periods(edge_change(m_surface, m_lambda, dlambda));
+  return std::sqrt(m_weight) * periods(edge_change(m_surface, m_lambda, dlambda));
 }
 
 auto Period_residual::gradient(const Eigen::VectorXd& y) const -> Spins
 {
   const Eigen::MatrixX3d edges = m_exactness.forms.one_forms * y.reshaped(y.size() / 3, 3);
-  return edge_gradient(m_surface, m_lambda, (m_exactness.weights / m_length).asDiagonal() * edges);
+  const Eigen::VectorXd weights = std::sqrt(m_weight) / m_length * m_exactness.weights;
+  return edge_gradient(m_surface, m_lambda, weights.asDiagonal() * edges);
 }
 
 Eigen::VectorXd Period_residual::periods(const Eigen::MatrixX3d& edges) const

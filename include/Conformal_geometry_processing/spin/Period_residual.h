@@ -7,6 +7,8 @@
 
 #include <Eigen/Core>
 
+#include <cmath>
+
 namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgSpin
@@ -18,10 +20,13 @@ class Period_residual : public Spin_residual {
   Period_residual(const Surface_ref& surface, const Exactness_constraints& exactness);
 
   void set_spins(const Spins& lambda) override;
-  Eigen::VectorXd values() const override { return m_values; }
+  Eigen::VectorXd values() const override { return std::sqrt(m_weight) * m_values; }
   Eigen::VectorXd change(const Spins& dlambda) const override;
   Spins gradient(const Eigen::VectorXd& y) const override;
-  double damping() const override { return (std::min)(0.01, m_values.norm()); }
+  bool is_few() const override { return true; }
+
+  /// \param b factor of the square of the residual
+  void set_weight(double b) { m_weight = b; }
 
  private:
   Eigen::VectorXd periods(const Eigen::MatrixX3d& edges) const;
@@ -29,6 +34,7 @@ class Period_residual : public Spin_residual {
   Surface_ref m_surface;
   const Exactness_constraints& m_exactness;
   Spins m_lambda;
+  double m_weight = 1;
   double m_length = 1;  // of the edges
   Eigen::VectorXd m_values;
 };

@@ -80,7 +80,8 @@ Position_residual::Position_residual(const Surface_ref& surface,
       m_reconstruction(reconstruction),
       m_points(std::move(points)),
       m_masses(std::move(masses)),
-      m_radius(std::sqrt(vertex_areas(surface).sum() / (4 * std::acos(-1.))))
+      m_areas(vertex_areas(surface)),
+      m_radius(std::sqrt(m_areas.sum() / (4 * std::acos(-1.))))
 {
   if (m_masses.size() == 0) m_masses.setOnes(static_cast<Eigen::Index>(m_points.size()));
 }
@@ -102,10 +103,11 @@ void Position_residual::set_spins(const Spins& lambda)
   m_motions = Shape_motions(placed / m_radius, m_masses);
 }
 
-double Position_residual::damping() const
+Eigen::VectorXd Position_residual::stiffness() const
 {
-  const double share = 0.25;
-  return share * values().norm();
+  if (is_few()) return {};
+  const double pi = std::acos(-1.);
+  return 2 * std::sqrt(m_stiffness * m_weight / pi) / (m_radius * m_radius) * m_areas;
 }
 
 Eigen::VectorXd Position_residual::change(const Spins& dlambda) const

@@ -10,6 +10,8 @@
 #include <Eigen/Core>
 #include <Eigen/QR>
 
+#include <cmath>
+#include <cstddef>
 #include <vector>
 
 namespace Conformal_geometry_processing::internal {
@@ -73,27 +75,37 @@ class Position_residual : public Spin_residual {
   void set_spins(const Spins& lambda) override;
   Eigen::VectorXd values() const override { return coordinates(m_distances); }
 
-  /// \brief proportional to the values, the distances that are left: a step by what hardly moves
-  /// points would be long and lead nowhere, and a short one makes it move them more.
-  ///
-  /// The first change of a round sphere moves it along its normals alone, and along itself it moves
-  /// once it is bumpy; near the targets nothing is left alone.
-  double damping() const override;
   Eigen::VectorXd change(const Spins& dlambda) const override;
   Spins gradient(const Eigen::VectorXd& y) const override;
 
+  /// Of all vertices: the geometric mean of what the distances weigh, w / (pi k^2) at the wave
+  /// number k and so least for waves, and of the misfit, c k^2, in units of R; c as told by
+  /// `set_stiffness()`
+  Eigen::VectorXd stiffness() const override;
+
+  /// of a few points
+  bool is_few() const override { return m_points.size() <= most_few; }
+
+  /// \param c weight of what else keeps spins from varying, as that of a `Dirac_misfit`
+  void set_stiffness(double c) { m_stiffness = c; }
+
+  /// the root of the sum of the squares of distances times masses, in R
+  double distance() const { return values().norm() / std::sqrt(m_weight); }
+
  private:
+  static constexpr std::size_t most_few = 64;
+
   /// Z^T of the roots of masses and weight times v / R
   Eigen::VectorXd coordinates(const Points& v) const;
 
   Surface_ref m_surface;
   const Poisson_reconstruction& m_reconstruction;
   std::vector<Control_point> m_points;
-  Eigen::VectorXd m_masses;
-  double m_radius;  // R
+  Eigen::VectorXd m_masses, m_areas;  // of points; of vertices
+  double m_radius;                    // R
   Points m_targets;
   Eigen::Index m_size = 0;
-  double m_weight = 1;
+  double m_weight = 1, m_stiffness = 0;
   Spins m_lambda;
   Alignment m_placement;  // T
   Points m_distances;     // T h - t

@@ -1,38 +1,62 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/spin/Relaxed_scales.h>
 
+#include <Conformal_geometry_processing/operators/dirac_energy.h>
 #include <Conformal_geometry_processing/spin/Scale_control.h>
 
 #include <Eigen/Core>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace Conformal_geometry_processing::internal {
 
-Relaxed_scales::Relaxed_scales(Dirac_system& system, const Curvature_potential& rho,
-                               const Scale_control& control, const Options& options)
+Spin_residuals with_scales(Spin_residuals others, Scale_residual& scales, bool is_bounded)
+{
+  if (is_bounded) others.push_back(&scales);
+  return others;
+}
+
+/// without its mean, where that has no effect
+Eigen::VectorXd effective(Eigen::VectorXd rho, const Dirac_system& system)
+{
+  if (system.is_self_adjoint()) rho.array() -= system.areas().dot(rho) / system.areas().sum();
+  return rho;
+}
+
+Relaxed_scales::Relaxed_scales(Dirac_system& system, const Eigen::VectorXd& rho,
+                               const Scale_control& control, Spin_residuals others,
+                               const Relaxed_scales_options& options)
     : m_system(system),
       m_control(control),
       m_options(options),
-      m_rho(rho.values),
+      m_rho(effective(rho, system)),
       m_scales(system.areas(), wanted_log_scales(system.areas(), control), control.weights),
-      m_spins(system, rho, {&m_scales}, options.spins),
-      m_weight(options.first_weight)
-{
-  if (system.is_closed()) m_rho.array() -= mean(system.surface(), rho);
-}
+      m_spins(system, m_rho, with_scales(std::move(others), m_scales, is_bounded()), options.spins)
+{}
 
-bool Relaxed_scales::step(double share, const Watch& watch)
+auto Relaxed_scales::step(double share, const Go_further& go_further) -> End
 {
   m_scales.set_weight(m_weight * m_system.unit());
   m_spins.want(share * m_rho);
-  const Relaxed_spins::Progress progress = m_spins.advance();
+  const Relaxed_spins::Progress progress = m_spins.advance([&] {
+    return go_further({++m_iterations, m_excess, m_moved});
+  });
+  if (progress.cancelled) return End::cancelled;
   ++m_steps;
   m_moved = progress.moved;
+  m_way += m_moved;
+  m_gain = (progress.before - progress.after) / progress.after;
   m_excess = measured_scales(m_spins.lambda(), m_system.areas(), m_control).excess();
-  if (watch) watch(*this, progress);
-  return progress.length > 0;
+  return progress.length > 0 ? End::settled : End::no_descent;
+}
+
+// Without a weight, the first part tells what all of it would do.
+void Relaxed_scales::choose_weight()
+{
+  const double expected = m_options.stages * m_excess, slack = .9;
+  if (expected > slack) m_weight = (std::min)(.035 * std::pow(expected, 2.25), 30.);
 }
 
 // The excess falls like a power of w that is not known, and follows w a step late, so that secants
@@ -48,27 +72,118 @@ void Relaxed_scales::change_weight()
     m_rate = (std::min)(.7 * m_rate, -.05);
   m_last_level = level;
   m_weight *= std::exp(std::clamp(-level / m_rate, std::log(1. / 6), std::log(4.)));
+  m_weight = (std::max)(m_weight, m_options.least_weight);
 }
 
-auto Relaxed_scales::run(const Watch& watch) -> End
+auto Relaxed_scales::run(const Go_further& go_further, const Ask& ask) -> End
 {
-  m_spins.restart(Quaternion_vector<double>::Constant(m_system.areas().size(), {1, 0, 0, 0}),
-                  m_rho / m_options.stages);
-  for (int i = 1; i < m_options.stages; ++i) step(1. * i / m_options.stages, watch);
-  m_excess *= 1. * m_options.stages / (m_options.stages - 1);  // expected after the last stage
-  change_weight();
-  m_last_level = 0;
-  m_spins.set_tolerance(m_options.last_tolerance);
-  while (m_steps < m_options.max_steps) {
-    if (!step(1, watch)) return End::no_descent;
-    const bool is_settled = m_moved < m_options.settled;
-    const bool is_within = m_excess <= 1 && m_excess >= 1 - m_options.closeness;
-    if (is_settled && is_within) return End::within_bound;
-    if (is_settled && m_excess < 1 && m_weight <= m_options.least_weight)
-      return End::bound_is_slack;
-    change_weight();
+  m_best.reset();
+  m_weight = is_bounded() ? m_options.least_weight : 0;
+  m_way = 0;
+  m_steps = 0;
+  m_spins.restart(m_spins.start(), m_rho / m_options.stages);
+  m_end = go_up(go_further, ask);
+  if (m_end != End::cancelled) m_end = settle(go_further);
+  return m_end;
+}
+
+auto Relaxed_scales::stiffen(double factor, const Go_further& go_further) -> End
+{
+  m_spins.stiffen(factor);
+  return go_on(go_further);
+}
+
+auto Relaxed_scales::go_on(const Go_further& go_further) -> End
+{
+  m_best.reset();
+  m_steps = 0;
+  return m_end = settle(go_further);
+}
+
+auto Relaxed_scales::go_up(const Go_further& go_further, const Ask& ask) -> End
+{
+  for (int i = 1; i <= m_options.stages; ++i) {
+    const double share = 1. * i / m_options.stages;
+    if (ask) ask(share);
+    if (i == m_options.stages) return End::settled;  // `settle()` makes the last ones
+    if (const End end = step(share, go_further); end == End::cancelled) return end;
+    if (i == 1 && is_bounded()) choose_weight();
   }
+  return End::settled;
+}
+
+auto Relaxed_scales::settle(const Go_further& go_further) -> End
+{
+  m_spins.set_tolerance(m_options.last_tolerance);
+  m_last_level = 0;
+  while (m_steps < m_options.max_steps) {
+    const End end = step(1, go_further);
+    if (end == End::cancelled) return end;
+    const bool is_met = m_options.is_met();
+    if (is_met) keep_if_within();
+    const bool is_settled =
+        (is_met && m_gain < m_options.least_gain && m_moved < m_options.settled * m_way) ||
+        end == End::no_descent;
+    if (is_settled) m_spins.set_tolerance(m_options.settled_tolerance);
+    const bool is_slack = !is_bounded() || (m_excess < 1 && m_weight <= m_options.least_weight);
+    if (is_settled && is_slack) return End::settled;
+    if (is_settled && m_excess <= 1 && m_excess >= 1 - m_options.closeness)
+      return End::within_bound;
+    if (is_bounded()) change_weight();
+  }
+  take_best();
   return End::too_many_steps;
+}
+
+void Relaxed_scales::keep_if_within()
+{
+  if (is_bounded() && m_excess <= 1) m_best = state();
+}
+
+void Relaxed_scales::take_best()
+{
+  if (m_best) restart(*m_best);
+}
+
+void Relaxed_scales::meet_few(bool is_anew)
+{
+  m_spins.meet_few(is_anew);
+  m_excess = measured_scales(m_spins.lambda(), m_system.areas(), m_control).excess();
+}
+
+void Relaxed_scales::restart(const State& state)
+{
+  m_spins.restart(state.lambda, state.rho);
+  m_weight = state.weight;
+  m_excess = state.excess;
+}
+
+Dirac_solution Relaxed_scales::solution() const
+{
+  const Relaxed_costs& costs = m_spins.costs();
+  const Eigen::VectorXd& areas = m_system.areas();
+  Dirac_solution s;
+  s.lambda = m_system.normalized(m_spins.lambda());
+  s.is_relaxed = true;
+  s.cancelled = m_end == End::cancelled;
+  s.converged = !s.cancelled && components(s.lambda).allFinite();
+  s.eigenvalue = areas.dot(m_spins.rho() - m_rho) / areas.sum();
+  s.dirac_residual =
+      dirac_misfit(m_system.surface(), Curvature_potential::on_vertices(m_spins.rho()), s.lambda);
+  s.overlap = m_system.overlap_with_identity(s.lambda);
+  s.iterations = m_iterations;
+  s.factorizations = costs.factorizations;
+  s.solves = costs.solves + costs.block_columns;
+  s.seconds = costs.seconds;
+  return s;
+}
+
+Spin_report::Scales Relaxed_scales::scales() const
+{
+  Spin_report::Scales scales = measured_scales(m_spins.lambda(), m_system.areas(), m_control);
+  scales.weight = m_weight > m_options.least_weight ? m_weight : 0;
+  measure_kept(m_rho, m_spins.rho(), m_system.areas(), m_system.is_self_adjoint(), scales);
+  return scales;
 }
 
 }  // namespace Conformal_geometry_processing::internal

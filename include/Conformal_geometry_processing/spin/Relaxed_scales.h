@@ -1,69 +1,123 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #pragma once
 
-#include <Conformal_geometry_processing/operators/Curvature_potential.h>
+#include <Conformal_geometry_processing/linear_algebra/krylov/Eigensolver_result.h>
+#include <Conformal_geometry_processing/spin/Dirac_solution.h>
 #include <Conformal_geometry_processing/spin/Dirac_system.h>
 #include <Conformal_geometry_processing/spin/Relaxed_spins.h>
 #include <Conformal_geometry_processing/spin/Scale_control.h>
 #include <Conformal_geometry_processing/spin/Scale_residual.h>
-#include <Conformal_geometry_processing/spin/Spin_visitor.h>
+#include <Conformal_geometry_processing/spin/Spin_report.h>
 
 #include <Eigen/Core>
 
 #include <functional>
+#include <optional>
 
 namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgSpin
+struct Relaxed_scales_options {
+  Relaxed_spins::Options spins;
+  int stages = 3;
+  int max_steps = 16;
+  double least_weight = 0.01;  ///< w in 1 / R^2 that has no effect
+  double closeness = 0.012;    ///< of the largest log factor to that of the bound, relative
+  double settled = 0.1;        ///< change of lambda by a step, relative to all of its way
+  double least_gain = 0.02;    ///< of a step, relative to the sum of the terms
+  double last_tolerance = .1;  ///< of conjugate gradients, with all of rho
+  double settled_tolerance = .5;
+  /// asked after each step, and may change weights of other residuals: whether these are met, as
+  /// far as they have to be
+  std::function<bool()> is_met = [] { return true; };
+};
+
+/// \ingroup PkgSpin
 /// \brief the `Relaxed_spins` of rho with a `Scale_residual` of the least weight w with which
-/// lengths keep to the bound of a `Scale_control`.
+/// lengths keep to the bound of a `Scale_control`, if it has one.
 ///
-/// rho is asked for in three parts, from lambda = 1, with one step for each; then w is changed
-/// from step to step until lengths are just within the bound and steps are short, or
-/// w is so small that it has no effect.
+/// rho, and what other residuals ask for, is asked for in three parts, with one step for each; then
+/// w is changed from step to step until lengths are just within the bound and steps are short, or w
+/// is so small that it has no effect. What is wide against the limbs *is* scale, and is reduced;
+/// what is narrow survives.
 class Relaxed_scales {
  public:
-  struct Options {
-    Relaxed_spins::Options spins;
-    int stages = 3;
-    int max_steps = 16;
-    double first_weight = 1;     ///< in 1 / R^2
-    double least_weight = 0.01;  ///< has no effect
-    double closeness = 0.012;    ///< of the largest log factor to that of the bound, relative
-    double settled = 0.03;       ///< change of lambda, relative
-    double last_tolerance = .1;  ///< of conjugate gradients, with all of rho
+  enum class End { within_bound, settled, no_descent, too_many_steps, cancelled };
+
+  /// asks other residuals for a share of the way
+  using Ask = std::function<void(double share)>;
+
+  /// where the steps are
+  struct State {
+    Quaternion_vector<double> lambda;
+    Eigen::VectorXd rho;  // rho'
+    double weight, excess;
   };
 
-  enum class End { within_bound, bound_is_slack, no_descent, too_many_steps };
+  /// \param rho wanted, |V|, in 1/length of the system
+  /// \param others further residuals; they, system and control must outlive the object
+  Relaxed_scales(Dirac_system& system, const Eigen::VectorXd& rho, const Scale_control& control,
+                 Spin_residuals others = {}, const Relaxed_scales_options& options = {});
 
-  /// called after each step
-  using Watch = std::function<void(const Relaxed_scales&, const Relaxed_spins::Progress&)>;
+  /// \brief goes all of the way, from the spins at the start.
+  /// \param go_further called after each iteration, with the change of lambda in the last step as
+  /// the estimate \throw Solver_error if a factorization fails
+  End run(const Go_further& go_further = Always_go_further(), const Ask& ask = {});
 
-  Relaxed_scales(Dirac_system& system, const Curvature_potential& rho, const Scale_control& control,
-                 const Options& options);
+  /// \brief goes on from the present spins, as after residuals have changed a little.
+  /// \throw as `run()`
+  End go_on(const Go_further& go_further = Always_go_further());
 
-  End run(const Watch& watch = {});
+  /// \brief likewise with larger weights of the misfit, for edges that close up better.
+  End stiffen(double factor, const Go_further& go_further = Always_go_further());
+
+  /// see `Relaxed_spins::meet_few()`
+  void meet_few(bool is_anew);
+
+  /// the present state
+  State state() const { return {m_spins.lambda(), m_spins.rho(), m_weight, m_excess}; }
+
+  /// goes on from another state, which may be that of other residuals
+  void restart(const State& state);
+
+  /// the solution, which is no eigenvector, and its costs since the object exists, or
+  /// `reset_costs()`
+  Dirac_solution solution() const;
+
+  /// the factors of lengths, and what is kept of rho
+  Spin_report::Scales scales() const;
+
+  /// counts costs from here on
+  void reset_costs() { m_spins.reset_costs(), m_iterations = 0; }
 
   const Relaxed_spins& spins() const { return m_spins; }
-  double weight() const { return m_weight; }  ///< w, in 1 / R^2
+  double weight() const { return m_weight; }  ///< w, in 1 / R^2; 0 without a bound
   double excess() const { return m_excess; }  ///< see `Spin_report::Scales::excess()`
   int steps() const { return m_steps; }
 
  private:
-  bool step(double share, const Watch& watch);
+  End step(double share, const Go_further& go_further);
+  End go_up(const Go_further& go_further, const Ask& ask);
+  End settle(const Go_further& go_further);
+  void choose_weight();
   void change_weight();
+  void keep_if_within();
+  void take_best();
+  bool is_bounded() const { return m_control.bound.has_value(); }
 
   Dirac_system& m_system;
   const Scale_control& m_control;
-  Options m_options;
+  Relaxed_scales_options m_options;
   Eigen::VectorXd m_rho;
   Scale_residual m_scales;
   Relaxed_spins m_spins;
-  double m_weight, m_excess = 0;
+  End m_end = End::settled;
+  std::optional<State> m_best;  // the last one within the bound
+  double m_weight = 0, m_excess = 0;
   double m_last_level = 0;  // log of the excess, relative to what is aimed at
   double m_rate = -.5;      // d log excess / d log weight, as far as changes of w trust in it
-  double m_moved = 0;
-  int m_steps = 0;
+  double m_moved = 0, m_way = 0, m_gain = 0;  // of lambda in the last step and all, of the sum
+  int m_steps = 0, m_iterations = 0;
 };
 
 }  // namespace Conformal_geometry_processing::internal

@@ -3,7 +3,7 @@
 
 #include <Conformal_geometry_processing/linear_algebra/dense/block_products.h>
 #include <Conformal_geometry_processing/linear_algebra/krylov/conjugate_gradients.h>
-#include <Conformal_geometry_processing/operators/mass_matrices.h>
+#include <Conformal_geometry_processing/spin/nearness_weight.h>
 
 #include <Eigen/Core>
 
@@ -22,43 +22,79 @@ double relative_size(const Quaternion_vector<double>& y, const Quaternion_vector
   return std::sqrt(sum / areas.sum());
 }
 
-double default_misfit_weight(const Surface_ref& surface)
+double default_vertex_weight(const Surface_ref& surface)
 {
-  double sum = 0;
-  for (int k = 0; k < surface.size_of_edges(); ++k)
-    sum += (surface.position(surface.ends(k)[1]) - surface.position(surface.ends(k)[0])).norm();
-  const double h = sum / surface.size_of_edges();
   const double pi = std::acos(-1.);
-  return .1 * face_areas(surface).sum() / (4 * pi * h * h);
+  double area = 0, sum = 0;
+  for (int s = 0; s < surface.size_of_sheets(); ++s) {
+    const Sheet sheet = surface.sheet(s);
+    area += sheet.share * sheet.area;
+    sum += sheet.share * sheet.area * std::sqrt(4 / std::sqrt(3.) * sheet.area);
+  }
+  return 3 * std::sqrt(area / (4 * pi)) / (sum / area);
 }
 
-Relaxed_spins::Relaxed_spins(Dirac_system& system, const Curvature_potential& rho,
-                             Spin_residuals residuals, const Options& options)
+Misfit_weights completed(Misfit_weights weights, const Surface_ref& surface)
+{
+  if (weights.vertices == 0) weights.vertices = default_vertex_weight(surface);
+  return {weights.factor * weights.sheets, weights.factor * weights.vertices};
+}
+
+/// those of a minimisation, with the nearness to 1 where there is one
+Spin_residuals with_nearness(Spin_residuals residuals, std::optional<Nearness_residual>& nearness)
+{
+  if (nearness) residuals.push_back(&*nearness);
+  return residuals;
+}
+
+Relaxed_spins::Relaxed_spins(Dirac_system& system, Eigen::VectorXd rho, Spin_residuals residuals,
+                             const Options& options)
     : m_system(system),
-      m_residuals(std::move(residuals)),
+      m_gauge(system),
       m_options(options),
-      m_alpha(options.alpha > 0 ? options.alpha : default_misfit_weight(system.surface())),
-      m_metric(system, rho.on, .1 / system.unit(), Potential_metric::Factor::later),
-      m_constants_are_free(system.is_closed()),
-      m_wanted(rho.values),
-      m_lambda(Spins::Constant(system.areas().size(), {1, 0, 0, 0})),
-      m_rho{rho.on, Eigen::VectorXd::Zero(rho.values.size())}
+      m_geometry(system.surface()),
+      m_weights(completed(options.weights, system.surface())),
+      m_nearness(m_gauge.is_free()
+                     ? std::optional<Nearness_residual>(
+                           m_weights.sum() * nearness_weight(system.surface()) * system.areas())
+                     : std::nullopt),
+      m_residuals(with_nearness(std::move(residuals), m_nearness)),
+      m_metric(system, .1 / system.unit()),
+      m_preconditioner(system, m_residuals, m_weights.sum(), options.reuse),
+      m_constants_are_free(system.is_self_adjoint()),
+      m_wanted(std::move(rho)),
+      m_lambda(start()),
+      m_rho(Eigen::VectorXd::Zero(m_wanted.size()))
 {}
+
+auto Relaxed_spins::start() const -> Spins
+{
+  if (const auto* directions = m_system.directions())
+    return m_gauge.normalized(directions->guide());
+  return Spins::Constant(m_system.areas().size(), {1, 0, 0, 0});
+}
 
 void Relaxed_spins::restart(const Spins& lambda, const Eigen::VectorXd& rho)
 {
-  m_moved = m_options.reuse;  // an old factor may belong to far away spins
-  m_lambda = normalized(lambda);
-  m_rho.values = rho;
+  m_preconditioner.forget();
+  m_lambda = m_gauge.normalized(lambda);
+  m_rho = rho;
 }
 
-auto Relaxed_spins::normalized(Spins lambda) const -> Spins
+void Relaxed_spins::stiffen(double factor)
 {
-  components(lambda) *= std::sqrt(m_system.areas().sum() / m_system.squared_norm(lambda));
-  return lambda;
+  m_weights.sheets *= factor;
+  m_weights.vertices *= factor;
+  m_preconditioner.set_weight(m_weights.sum());
+  if (m_nearness) m_nearness->scale(factor);
 }
 
-// <d, K d> of d without its mean where constants are free.
+Dirac_misfit Relaxed_spins::misfit(const Spins& lambda, const Eigen::VectorXd& rho) const
+{
+  return {m_geometry, m_weights, rho, lambda};
+}
+
+// K d of d without its mean where constants are free.
 Eigen::VectorXd Relaxed_spins::metric_product(const Eigen::VectorXd& d) const
 {
   const Eigen::VectorXd& areas = m_metric.areas();
@@ -69,19 +105,19 @@ Eigen::VectorXd Relaxed_spins::metric_product(const Eigen::VectorXd& d) const
 
 auto Relaxed_spins::terms_at(const Spins& lambda, const Eigen::VectorXd& rho) const -> Terms
 {
-  const Dirac_linearization here(m_system.surface(), {m_rho.on, rho}, lambda);
+  const Dirac_misfit here = misfit(lambda, rho);
   const Eigen::VectorXd e = rho - m_wanted;
-  return {m_alpha * here.squared_norm(here.residual()), e.dot(metric_product(e)),
+  return {here.squared_norm(here.residual()), e.dot(metric_product(e)),
           values_at(lambda, m_residuals).squaredNorm()};
 }
 
 auto Relaxed_spins::gradient() -> Step
 {
-  const Dirac_linearization here(m_system.surface(), m_rho, m_lambda);
+  const Dirac_misfit here = misfit(m_lambda, m_rho);
   const Spins r = here.residual();
   Step g;
-  g.spins = m_alpha * here.adjoint(r);
-  g.potential = metric_product(m_rho.values - m_wanted) - m_alpha * here.turned(r);
+  g.spins = here.adjoint(r);
+  g.potential = metric_product(m_rho - m_wanted) - here.turned(r);
   for (Spin_residual* residual : m_residuals) {
     residual->set_spins(m_lambda);
     g.spins += residual->gradient(residual->values());
@@ -91,43 +127,19 @@ auto Relaxed_spins::gradient() -> Step
 
 void Relaxed_spins::linearize()
 {
-  m_linear.emplace(m_system.surface(), m_rho, m_lambda);
+  m_linear.emplace(misfit(m_lambda, m_rho));
   for (Spin_residual* residual : m_residuals) residual->set_spins(m_lambda);
-  m_metric.couple(m_lambda, m_alpha);
+  m_metric.couple(m_lambda, m_weights);
   ++m_costs.scalar_factorizations;
-  if (m_constants_are_free) m_constants = m_metric.solve(m_metric.areas());
+  if (m_constants_are_free) m_constants = m_metric.solve_coupled(m_metric.areas());
   ++m_costs.scalar_solves;
-  factorize();
-}
-
-Eigen::VectorXd Relaxed_spins::stiffness() const
-{
-  Eigen::VectorXd sum = Eigen::VectorXd::Zero(m_lambda.size());
-  for (const Spin_residual* residual : m_residuals)
-    if (const Eigen::VectorXd s = residual->stiffness(); s.size() > 0) sum += s;
-  return sum;
-}
-
-// The shift is that of the smallest eigenvalue, which is gauge, and leaves enough digits.
-void Relaxed_spins::factorize()
-{
-  const double least = 1e-3, most_change = 4;
-  const Eigen::VectorXd shift = stiffness() / m_alpha + least * m_system.unit() * m_system.areas();
-  const double ratio = shift.sum() / m_factored_stiffness;
-  const bool is_kept = m_system.changes() == m_factored_changes && m_moved < m_options.reuse &&
-                       ratio < most_change && ratio > 1 / most_change;
-  if (is_kept) return;
-  m_system.set_potential(m_rho, shift, m_costs.seconds);
-  ++m_costs.factorizations;
-  m_moved = 0;
-  m_factored_stiffness = shift.sum();
-  m_factored_changes = m_system.changes();
+  m_preconditioner.update(m_lambda, m_rho, m_costs);
 }
 
 // H less the product of the areas: by the formula of Sherman and Morrison.
 Eigen::VectorXd Relaxed_spins::solve_potential(const Eigen::VectorXd& b)
 {
-  Eigen::VectorXd d = m_metric.solve(b);
+  Eigen::VectorXd d = m_metric.solve_coupled(b);
   ++m_costs.scalar_solves;
   if (!m_constants_are_free) return d;
   const Eigen::VectorXd& areas = m_metric.areas();
@@ -144,52 +156,36 @@ auto Relaxed_spins::residual_product(const Spins& y) const -> Spins
 auto Relaxed_spins::schur_product(const Spins& y) -> Spins
 {
   Spins z = m_linear->apply(y);
-  z -= m_linear->turn(solve_potential(m_alpha * m_linear->turned(z)));
-  return m_alpha * m_linear->adjoint(z) + residual_product(y);
+  z -= m_linear->turn(solve_potential(m_linear->turned(z)));
+  return m_linear->adjoint(z) + residual_product(y);
 }
 
-auto Relaxed_spins::without_gauge(Spins y) const -> Spins
-{
-  const Quaternion<double> q =
-      inner_product(m_lambda, m_system.areas(), y) * (-1 / m_system.squared_norm(m_lambda));
-  add_multiple(y, m_lambda, q);
-  return y;
-}
-
-auto Relaxed_spins::without_gauge_gradient(Spins g) const -> Spins
-{
-  const Quaternion<double> q = inner_product(m_lambda, g) * (-1 / m_system.squared_norm(m_lambda));
-  const Eigen::VectorXd& areas = m_system.areas();
-  for (Eigen::Index v = 0; v < g.size(); ++v) g[v] += areas[v] * (m_lambda[v] * q);
-  return g;
-}
-
-auto Relaxed_spins::solve_schur(const Spins& b, int& iterations) -> Spins
+auto Relaxed_spins::solve_schur(const Spins& b, const std::function<bool()>& go_further) -> Spins
 {
   using Vectors = Block<Quaternion<double>>;
   const auto product = [&](const Vectors& y) -> Vectors {
-    return without_gauge_gradient(schur_product(y.col(0)));
+    return m_gauge.projected_gradient(m_lambda, schur_product(y.col(0)));
   };
   const auto precondition = [&](const Vectors& g) -> Vectors {
-    ++m_costs.solves;
-    return without_gauge(m_system.precondition(g).col(0) / m_alpha);
+    return m_preconditioner.apply(g.col(0), m_costs);
   };
   Conjugate_gradients_options options;
   options.tolerance = m_options.tolerance;
   options.max_iterations = m_options.max_iterations;
+  options.go_further = go_further;
   Vectors x;
-  const Vectors right = without_gauge_gradient(b);
-  iterations = conjugate_gradients(product, precondition, right, x, options).iterations;
+  const Vectors right = m_gauge.projected_gradient(m_lambda, b);
+  m_iterations = conjugate_gradients(product, precondition, right, x, options).iterations;
   return x.col(0);
 }
 
-auto Relaxed_spins::step() -> Step
+auto Relaxed_spins::step(const std::function<bool()>& go_further) -> Step
 {
   const Step g = gradient();
   const Spins coupling = m_linear->adjoint(m_linear->turn(solve_potential(g.potential)));
   Step s;
-  s.spins = solve_schur(-1. * (g.spins + m_alpha * coupling), m_iterations);
-  s.potential = solve_potential(m_alpha * m_linear->turned(m_linear->apply(s.spins)) - g.potential);
+  s.spins = solve_schur(-1. * (g.spins + coupling), go_further);
+  s.potential = solve_potential(m_linear->turned(m_linear->apply(s.spins)) - g.potential);
   s.slope = inner_product(g.spins, s.spins).w + g.potential.dot(s.potential);
   return s;
 }
@@ -202,30 +198,40 @@ bool Relaxed_spins::is_far_from_zero(const Spins& lambda) const
   return true;
 }
 
-auto Relaxed_spins::advance() -> Progress
+auto Relaxed_spins::advance(const std::function<bool()>& go_further) -> Progress
 {
   const double shortest = 1. / 256, decrease = 1e-4;
-  linearize();
-  const Step s = step();
   Progress p;
+  linearize();
+  const Step s = step([&] { return !(p.cancelled = go_further && !go_further()); });
+  if (p.cancelled) return p;
   p.iterations = m_iterations;
   p.before = p.after = terms().sum();
   for (double t = 1; t >= shortest; t /= 2) {
     const Spins there = m_lambda + t * s.spins;
     if (!is_far_from_zero(there)) continue;
-    const Spins lambda = normalized(there);
-    const Eigen::VectorXd rho = m_rho.values + t * s.potential;
+    const Spins lambda = m_gauge.normalized(there);
+    const Eigen::VectorXd rho = m_rho + t * s.potential;
     const double sum = terms_at(lambda, rho).sum();
     if (!(sum <= p.before + 2 * decrease * t * s.slope)) continue;
     p.after = sum;
     p.length = t;
     p.moved = t * relative_size(s.spins, m_lambda, m_system.areas());
     m_lambda = lambda;
-    m_rho.values = rho;
+    m_rho = rho;
     break;
   }
-  m_moved += p.moved;
+  m_preconditioner.moved(p.moved);
   return p;
+}
+
+void Relaxed_spins::meet_few(bool is_anew)
+{
+  if (is_anew) linearize();
+  const Spins y = m_preconditioner.correction(values_at(m_lambda, few_of(m_residuals)));
+  if (!is_far_from_zero(m_lambda - y)) return;
+  m_preconditioner.moved(relative_size(y, m_lambda, m_system.areas()));
+  m_lambda = m_gauge.normalized(m_lambda - y);
 }
 
 }  // namespace Conformal_geometry_processing::internal

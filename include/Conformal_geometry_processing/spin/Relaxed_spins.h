@@ -2,54 +2,51 @@
 #pragma once
 
 #include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
-#include <Conformal_geometry_processing/operators/Curvature_potential.h>
-#include <Conformal_geometry_processing/spin/Dirac_linearization.h>
+#include <Conformal_geometry_processing/spin/Dirac_misfit.h>
 #include <Conformal_geometry_processing/spin/Dirac_system.h>
+#include <Conformal_geometry_processing/spin/Misfit_weights.h>
+#include <Conformal_geometry_processing/spin/Nearness_residual.h>
 #include <Conformal_geometry_processing/spin/Potential_metric.h>
+#include <Conformal_geometry_processing/spin/Spin_gauge.h>
+#include <Conformal_geometry_processing/spin/Spin_preconditioner.h>
 #include <Conformal_geometry_processing/spin/Spin_residual.h>
 
 #include <Eigen/Core>
 
+#include <functional>
 #include <optional>
-#include <string>
 
 namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgSpin
 /// \brief spins lambda and a potential rho' that together minimise
 ///
-///     alpha |(D - rho') lambda|^2_M + |rho' - rho|^2_K + sum |residuals of lambda|^2
+///     |(D - rho') lambda / |lambda||^2_W + |rho' - rho|^2_K + sum |residuals of lambda|^2
 ///
 /// where the mean of |lambda|^2 is one: the surface near that of rho that has what the residuals
 /// want, without being an eigenvector of anything. Without residuals, [CGP (5.3)] is the limit of
-/// small alpha; on a given mesh, lambda tends to 1 as alpha grows, because (D - rho') lambda = 0
-/// has more equations than unknowns.
+/// small weights W.
 ///
-/// The first term is what does not close up and what the mesh cannot represent. K is that of
-/// `Potential_metric` with s = R^2 / 10, R^2 = area / (4 pi); constants of rho' cost nothing there,
-/// because they have no effect. All terms are numbers without a unit.
+/// The first term is what does not close up and what the mesh cannot represent, see `Dirac_misfit`.
+/// K is that of `Potential_metric` with s = R^2 / 10, R^2 = area / (4 pi). Where gamma is an
+/// eigenvalue, constants of rho' cost nothing, because they have no effect. All terms are numbers
+/// without a unit. Prescribed directions restrict lambda to their space; with a free boundary,
+/// there is a small weight of lambda - 1.
 ///
 /// Each step solves the linear least-squares problem of the derivatives (Gauss-Newton): changes d
-/// of rho' are eliminated with the scalar H = K + alpha N^T M N (`Potential_metric::couple()`), and
-/// the Schur complement for changes of lambda, which is linear over the real numbers only, is
-/// solved by conjugate gradients preconditioned by the factor of X + shift, which is kept while
-/// lambda moves little. Right factors of lambda, among them its length, are gauge: all four real
-/// directions are left out.
+/// of rho' are eliminated with the scalar H = K + N^T W N (`Potential_metric::couple()`), and the
+/// Schur complement for changes of lambda, which is linear over the real numbers only, is solved by
+/// conjugate gradients with a `Spin_preconditioner`. Right factors of lambda are left out, see
+/// `Spin_gauge`.
 class Relaxed_spins {
  public:
   using Spins = Quaternion_vector<double>;
 
   struct Options {
-    double alpha = 0;        ///< > 0; 0: `default_misfit_weight()`
+    Misfit_weights weights;
     double tolerance = 0.3;  ///< of conjugate gradients
     int max_iterations = 30;
     double reuse = 0.2;  ///< the factor is kept while lambda has moved by less, in the mean
-  };
-
-  struct Costs {
-    int factorizations = 0, solves = 0;                ///< quaternionic
-    int scalar_factorizations = 0, scalar_solves = 0;  ///< of H
-    Dirac_evidence::Seconds seconds;
   };
 
   struct Terms {
@@ -68,31 +65,41 @@ class Relaxed_spins {
     double before = 0, after = 0;  ///< the sum of the terms
     double length = 0;             ///< of the step, at most 1; 0: no step makes the sum smaller
     double moved = 0;              ///< relative change of lambda, root mean square
+    bool cancelled = false;        ///< and no step was made
     int iterations = 0;            ///< of conjugate gradients
   };
 
-  /// \param system of a closed surface; its factor is replaced
-  /// \param rho wanted, in 1/length; rho' starts as 0 where it has its values
+  /// \param system without prescribed positions; its factor is replaced
+  /// \param rho wanted, |V|, in 1/length; rho' starts as 0
   /// \param residuals must outlive the object
-  Relaxed_spins(Dirac_system& system, const Curvature_potential& rho, Spin_residuals residuals,
+  Relaxed_spins(Dirac_system& system, Eigen::VectorXd rho, Spin_residuals residuals,
                 const Options& options);
+  Relaxed_spins(const Relaxed_spins&) = delete;
+  Relaxed_spins& operator=(const Relaxed_spins&) = delete;
 
   const Spins& lambda() const { return m_lambda; }
-  const Curvature_potential& rho() const { return m_rho; }  ///< rho'
-  const Costs& costs() const { return m_costs; }
-  double alpha() const { return m_alpha; }
+  const Eigen::VectorXd& rho() const { return m_rho; }  ///< rho'
+  const Relaxed_costs& costs() const { return m_costs; }
+  void reset_costs() { m_costs = {}; }
+  const Misfit_weights& weights() const { return m_weights; }
 
-  /// asks for another rho, where the first has its values
+  /// the spins to start with: 1, or the guide of prescribed directions
+  Spins start() const;
+
+  /// asks for another rho
   void want(const Eigen::VectorXd& rho) { m_wanted = rho; }
 
   /// of conjugate gradients from now on
   void set_tolerance(double tolerance) { m_options.tolerance = tolerance; }
 
-  /// \param lambda whose length does not matter
+  /// multiplies the weights of the misfit
+  void stiffen(double factor);
+
+  /// \param lambda whose length does not matter where it is gauge
   void restart(const Spins& lambda, const Eigen::VectorXd& rho);
 
   /// the terms here
-  Terms terms() const { return terms_at(m_lambda, m_rho.values); }
+  Terms terms() const { return terms_at(m_lambda, m_rho); }
 
   /// \brief half the gradient of the sum of the terms, with respect to lambda and rho'.
   Step gradient();
@@ -105,46 +112,52 @@ class Relaxed_spins {
   void linearize();
 
   /// the least-squares step. \pre `linearize()` was called last
-  Step step();
+  Step step(const std::function<bool()>& go_further = {});
 
   /// \brief takes a step, or a part of it: never one that makes the sum larger, or brings a spin
   /// near zero.
-  Progress advance();
+  /// \param go_further called after each iteration of conjugate gradients; if it returns false, no
+  /// step is made
+  Progress advance(const std::function<bool()>& go_further = {});
+
+  /// \brief takes a step of Newton's method for the few residuals alone, by the least change of
+  /// lambda, as after `advance()` with a weight of them that leaves a little of them.
+  /// \param is_anew with the derivatives here, otherwise those of the last `linearize()`
+  /// \pre there are such residuals
+  void meet_few(bool is_anew);
 
  private:
-  Spins normalized(Spins lambda) const;
+  Dirac_misfit misfit(const Spins& lambda, const Eigen::VectorXd& rho) const;
   Terms terms_at(const Spins& lambda, const Eigen::VectorXd& rho) const;
-  void factorize();
-  Eigen::VectorXd stiffness() const;
   Eigen::VectorXd metric_product(const Eigen::VectorXd& d) const;
   Eigen::VectorXd solve_potential(const Eigen::VectorXd& b);
   Spins residual_product(const Spins& y) const;
-  Spins without_gauge(Spins y) const;
-  Spins without_gauge_gradient(Spins g) const;
-  Spins solve_schur(const Spins& b, int& iterations);
+  Spins solve_schur(const Spins& b, const std::function<bool()>& go_further);
   bool is_far_from_zero(const Spins& lambda) const;
 
   Dirac_system& m_system;
-  Spin_residuals m_residuals;
+  Spin_gauge m_gauge;
   Options m_options;
-  double m_alpha;
+  Dirac_misfit::Geometry m_geometry;
+  Misfit_weights m_weights;
+  std::optional<Nearness_residual> m_nearness;  // with a free boundary
+  Spin_residuals m_residuals;
   Potential_metric m_metric;
+  Spin_preconditioner m_preconditioner;
   bool m_constants_are_free;
   Eigen::VectorXd m_wanted;
   Spins m_lambda;
-  Curvature_potential m_rho;
-  std::optional<Dirac_linearization> m_linear;
+  Eigen::VectorXd m_rho;
+  std::optional<Dirac_misfit> m_linear;
   Eigen::VectorXd m_constants;  // H^-1 of the areas, where constants are free
-  double m_moved = 0;           // since the factor of X
-  double m_factored_stiffness = -1;
-  int m_factored_changes = -1;
-  int m_iterations = 0;
-  Costs m_costs;
+  int m_iterations = 0;         // of the last step
+  Relaxed_costs m_costs;
 };
 
 /// \ingroup PkgSpin
-/// \brief alpha = R^2 / (10 h^2) with h the mean length of edges: such that the misfit of the
-/// result falls faster than h under refinement.
-double default_misfit_weight(const Surface_ref& surface);
+/// \brief 3 R / h with h the mean over the area of the edges of equilateral triangles of the areas
+/// of the sheets, which slivers do not change: such that the misfit of the result falls like h
+/// under refinement, and the iterations of a step grow like the root of 1 / h.
+double default_vertex_weight(const Surface_ref& surface);
 
 }  // namespace Conformal_geometry_processing::internal

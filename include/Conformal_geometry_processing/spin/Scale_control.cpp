@@ -63,27 +63,19 @@ Spin_report::Scales measured_scales(const Quaternion_vector<double>& lambda,
   return scales;
 }
 
-bool exceeds_bound_by_far(const Quaternion_vector<double>& lambda, const Eigen::VectorXd& areas,
-                          const Scale_control& control)
-{
-  const double margin = 2;
-  return control.bound && control.factors.size() == 0 &&
-         measured_scales(lambda, areas, control).excess() > margin;
-}
-
 Eigen::VectorXd wanted_log_scales(const Eigen::VectorXd& areas, const Scale_control& control)
 {
   if (control.factors.size() == 0) return Eigen::VectorXd::Zero(areas.size());
   return control.factors.array().log();
 }
 
-void measure_kept(const Curvature_potential& rho, const Curvature_potential& found,
+void measure_kept(const Eigen::VectorXd& rho, const Eigen::VectorXd& found,
                   const Eigen::VectorXd& areas, bool is_closed, Spin_report::Scales& scales)
 {
   const auto effect = [&](const Eigen::VectorXd& v) {
     return Eigen::VectorXd(v.array() - (is_closed ? areas.dot(v) / areas.sum() : 0));
   };
-  const Eigen::VectorXd a = effect(rho.values), b = effect(found.values);
+  const Eigen::VectorXd a = effect(rho), b = effect(found);
   const double wanted = std::sqrt(areas.dot(a.cwiseAbs2()));
   const double kept = std::sqrt(areas.dot(b.cwiseAbs2()));
   if (wanted == 0) return;

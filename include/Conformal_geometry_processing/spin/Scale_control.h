@@ -3,7 +3,6 @@
 
 #include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
 
-#include <Conformal_geometry_processing/operators/Curvature_potential.h>
 #include <Conformal_geometry_processing/spin/Spin_report.h>
 
 #include <Eigen/Core>
@@ -33,21 +32,14 @@ Spin_report::Scales measured_scales(const Quaternion_vector<double>& lambda,
                                     const Eigen::VectorXd& areas, const Scale_control& control);
 
 /// \ingroup PkgSpin
-/// \brief whether spins on the way to those of a transformation exceed the bound by so much, the
-/// double log, that these are not expected to keep to it; never where factors are wanted, to which
-/// the way leads.
-bool exceeds_bound_by_far(const Quaternion_vector<double>& lambda, const Eigen::VectorXd& areas,
-                          const Scale_control& control);
-
-/// \ingroup PkgSpin
 /// the logarithms of the wanted factors of lengths, |V|; zeros where none are wanted
 Eigen::VectorXd wanted_log_scales(const Eigen::VectorXd& areas, const Scale_control& control);
 
 /// \ingroup PkgSpin
-/// what a search has kept of rho
+/// what is kept of rho
 /// \param areas that belong to the values
 /// \param is_closed: both are taken without their means, which have no effect then
-void measure_kept(const Curvature_potential& rho, const Curvature_potential& found,
+void measure_kept(const Eigen::VectorXd& rho, const Eigen::VectorXd& found,
                   const Eigen::VectorXd& areas, bool is_closed, Spin_report::Scales& scales);
 
 }  // namespace Conformal_geometry_processing::internal

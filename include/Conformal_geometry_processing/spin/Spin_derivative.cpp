@@ -26,7 +26,6 @@ Spin_derivative::Spin_derivative(const Dirac_system& system, Curvature_potential
   components(m_lambda) /= m_length;
   if (!is_eigenvector()) {
     m_diagonal = nearness_weight(system.surface()) * system.areas();
-    m_is_near = true;  // it is the factor of the same matrix
     return;
   }
   const double mu = inner_product(m_lambda, system.matrix() * m_lambda).w;
@@ -34,14 +33,12 @@ Spin_derivative::Spin_derivative(const Dirac_system& system, Curvature_potential
   if (!system.is_closed()) return;
   const Vectors form = apply_dirac_form(system.surface(), m_potential, m_lambda);
   m_gamma_gradient = form_gradient(system.surface(), m_potential.on, m_lambda) -
-                     2 * apply_transpose_at_fixed_gamma(form, Inverse::iterated).col(0);
-  const double fast = 5. / 3;  // iterations for each correct digit
-  m_is_near = m_solves <= -fast * std::log10(tolerance);
+                     2 * apply_transpose_at_fixed_gamma(form).col(0);
 }
 
-auto Spin_derivative::apply(const Eigen::MatrixXd& changes, Inverse inverse) const -> Vectors
+auto Spin_derivative::apply(const Eigen::MatrixXd& changes) const -> Vectors
 {
-  Vectors result = apply_at_fixed_gamma(changes.rowwise() + gamma_change(changes), inverse);
+  Vectors result = apply_at_fixed_gamma(changes.rowwise() + gamma_change(changes));
   for (Quaternion<double>& q : result.reshaped()) q *= m_length;
   return result;
 }
@@ -52,27 +49,25 @@ Eigen::RowVectorXd Spin_derivative::gamma_change(const Eigen::MatrixXd& changes)
   return -(m_gamma_gradient.transpose() * changes) / m_gamma_gradient.sum();
 }
 
-Eigen::MatrixXd Spin_derivative::apply_transpose(const Vectors& q, Inverse inverse) const
+Eigen::MatrixXd Spin_derivative::apply_transpose(const Vectors& q) const
 {
-  Eigen::MatrixXd result = m_length * apply_transpose_at_fixed_gamma(q, inverse);
+  Eigen::MatrixXd result = m_length * apply_transpose_at_fixed_gamma(q);
   if (m_gamma_gradient.size() == 0) return result;
   const Eigen::RowVectorXd of_gamma = result.colwise().sum() / m_gamma_gradient.sum();
   return result - m_gamma_gradient * of_gamma;
 }
 
-auto Spin_derivative::apply_at_fixed_gamma(const Eigen::MatrixXd& changes, Inverse inverse) const
-    -> Vectors
+auto Spin_derivative::apply_at_fixed_gamma(const Eigen::MatrixXd& changes) const -> Vectors
 {
-  return solve(energy_change(m_system.surface(), m_potential, m_lambda, changes), inverse);
+  return solve(energy_change(m_system.surface(), m_potential, m_lambda, changes));
 }
 
-Eigen::MatrixXd Spin_derivative::apply_transpose_at_fixed_gamma(const Vectors& q,
-                                                                Inverse inverse) const
+Eigen::MatrixXd Spin_derivative::apply_transpose_at_fixed_gamma(const Vectors& q) const
 {
-  return energy_gradient(m_system.surface(), m_potential, m_lambda, solve(q, inverse));
+  return energy_gradient(m_system.surface(), m_potential, m_lambda, solve(q));
 }
 
-auto Spin_derivative::solve(Vectors b, Inverse inverse) const -> Vectors
+auto Spin_derivative::solve(Vectors b) const -> Vectors
 {
   b = m_system.projected(std::move(b));
   remove_gauge(b, true);
@@ -85,14 +80,10 @@ auto Spin_derivative::solve(Vectors b, Inverse inverse) const -> Vectors
   Conjugate_gradients_options options;
   options.tolerance = m_tolerance;
   Vectors x;
-  if (inverse == Inverse::factor && m_is_near) {
-    precondition(b, x);
-    return x;
-  }
   const auto result = conjugate_gradients(matrix, precondition, b, x, options);
   const double worst_error = 1e-3;  // of rounding, with slivers
   if (!result.converged && !(result.estimates.maxCoeff() <= worst_error))
-    throw No_derivative("Spin_derivative", "the iterations do not converge");
+    throw Solver_error("Spin_derivative", "the iterations do not converge");
   return x;
 }
 

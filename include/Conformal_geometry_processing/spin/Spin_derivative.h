@@ -9,14 +9,6 @@
 namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgSpin
-/// \brief the spins have no derivative by rho that can be computed, because lambda is not the
-/// smallest eigenvector, which prescribed directions do not imply, or because eigenvalues cross
-class No_derivative : public Solver_error {
- public:
-  using Solver_error::Solver_error;
-};
-
-/// \ingroup PkgSpin
 /// \brief the derivative of the spins lambda of a transformation with respect to rho, and its
 /// transpose.
 ///
@@ -33,26 +25,17 @@ class No_derivative : public Solver_error {
 /// the weights W of `nearness_weight()`.
 ///
 /// Each product costs a few solves with the factor at hand, usually two at a tolerance of 1e-4, and
-/// as many products with X; or one, if the factor may stand for the inverse.
+/// as many products with X.
 class Spin_derivative {
  public:
   using Vectors = Block<Quaternion<double>>;
-
-  /// \brief how (X - mu M_V)^+ is applied.
-  ///
-  /// `factor`: by one solve, if the factor is near: if iterations with it converge fast. On closed
-  /// surfaces, the error of soft modes is then the share of the factor's shift in their eigenvalue
-  /// less mu. Both products are still transposes of each other, so that S^T S is symmetric. Where
-  /// the factor is not near, such as one cycle of multigrid, one of another shift, or that of
-  /// prescribed directions, it is `iterated` all the same.
-  enum class Inverse { iterated, factor };
 
   /// \param system must outlive the object and keep its matrix and its factor
   /// \param potential rho + gamma in 1/length of the system, or rho if gamma is not part of it
   /// \param lambda |V|
   /// \param tolerance relative error of products, in the energy norm
   /// \pre `solve_dirac_equation()` has just found lambda; no positions are prescribed
-  /// \throw No_derivative if the iterations do not converge
+  /// \throw Solver_error if the iterations do not converge
   Spin_derivative(const Dirac_system& system, Curvature_potential potential,
                   Quaternion_vector<double> lambda, double tolerance = 1e-6);
 
@@ -64,8 +47,8 @@ class Spin_derivative {
 
   /// \brief dlambda, |V| x k, for k changes of rho.
   /// \param changes |V| or |F| x k, in 1/length
-  /// \throw No_derivative if the iterations do not converge
-  Vectors apply(const Eigen::MatrixXd& changes, Inverse inverse = Inverse::iterated) const;
+  /// \throw Solver_error if the iterations do not converge
+  Vectors apply(const Eigen::MatrixXd& changes) const;
 
   /// dgamma for k changes of rho, 0 without a gamma
   Eigen::RowVectorXd gamma_change(const Eigen::MatrixXd& changes) const;
@@ -73,16 +56,16 @@ class Spin_derivative {
   /// \brief the gradients, |V| or |F| x k, of Re <q, lambda> for k columns q, |V| x k.
   ///
   /// q must not depend on the gauge: <lambda, q> = 0; that part is ignored.
-  /// \throw No_derivative if the iterations do not converge
-  Eigen::MatrixXd apply_transpose(const Vectors& q, Inverse inverse = Inverse::iterated) const;
+  /// \throw Solver_error if the iterations do not converge
+  Eigen::MatrixXd apply_transpose(const Vectors& q) const;
 
  private:
   /// without the part of gamma
-  Vectors apply_at_fixed_gamma(const Eigen::MatrixXd& changes, Inverse inverse) const;
-  Eigen::MatrixXd apply_transpose_at_fixed_gamma(const Vectors& q, Inverse inverse) const;
+  Vectors apply_at_fixed_gamma(const Eigen::MatrixXd& changes) const;
+  Eigen::MatrixXd apply_transpose_at_fixed_gamma(const Vectors& q) const;
 
   /// (X - mu M_V)^+ b, or (X + W)^-1 b
-  Vectors solve(Vectors b, Inverse inverse) const;
+  Vectors solve(Vectors b) const;
   void apply_matrix(const Vectors& x, Vectors& y) const;
 
   /// subtracts M_V lambda <lambda, v> or, for vectors and not forms, lambda <lambda, M_V v>
@@ -97,7 +80,6 @@ class Spin_derivative {
   double m_tolerance;
   Eigen::VectorXd m_diagonal;        // -mu M_V, or W
   Eigen::VectorXd m_gamma_gradient;  // of -<lambda, H lambda>; empty without gamma
-  bool m_is_near = false;            // the factor to the inverse
   mutable int m_solves = 0;
 };
 

@@ -46,7 +46,7 @@ const char* to_string(Spin_report::Fault fault)
     case Fault::exact_class:
       return "the exact conformal class is not reached";
     case Fault::unrealised:
-      return "the curvature has not changed as requested";
+      return "the curvature has changed against rho";
     case Fault::map:
       return "the map is not conformal, flips or collapses";
     case Fault::none:
@@ -82,7 +82,7 @@ Spin_report::Fault Spin_report::fault() const
   if (cancelled) return Fault::cancelled;
   if (steps == 0) return Fault::nothing_left;
   if (!std::isfinite(eigenvalue)) return Fault::not_finite;
-  if (!converged || !(residual <= limits.residual)) return Fault::not_solved;
+  if (!converged || !(is_relaxed || residual <= limits.residual)) return Fault::not_solved;
   const bool is_open = boundary_fault == Boundary_fault::does_not_close;  // judged by its limit
   if (boundary_fault != Boundary_fault::none && !is_open) return Fault::boundary;
   if (!(direction_error.mean <= limits.direction_error)) return Fault::directions;
@@ -94,6 +94,8 @@ Spin_report::Fault Spin_report::fault() const
   if (!(scales.excess() <= 1 + rounding)) return Fault::scales;
   if (exact_class && !*exact_class) return Fault::exact_class;
   if (conformality.fault(limits.map) != Conformality::Fault::none) return Fault::map;
+  if (realised_curvature && !(realised_curvature->agreement() >= -limits.opposition))
+    return Fault::unrealised;
   return Fault::none;
 }
 

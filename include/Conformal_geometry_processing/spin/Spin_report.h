@@ -24,14 +24,14 @@ struct [[nodiscard]] Spin_report : internal::Dirac_evidence {
     degenerate       ///< lambda nearly vanishes somewhere
   };
 
-  int steps = 1;              ///< number of steps, for a surface with handles that stays closed
-  double reached = 1;         ///< completed share of the path to rho, in [0, 1]; where a minimal
-                              ///< surface does not exist, the share of the way that does
+  int steps = 1;       ///< number of transformations, or of steps on the way of control points
+  double reached = 1;  ///< completed share of the path to rho, in [0, 1]; where a minimal
+                       ///< surface does not exist, the share of the way that does
   double missing_share = 0;   ///< norm of the part of rho that was left out because the surface
                               ///< would not have closed up, relative to that of rho
-  double realised_share = 1;  ///< norm of the rho that the new surface has, relative to that of the
-                              ///< given one: where the two parts are orthogonal, its square is 1 -
-                              ///< missing_share^2; of control points, the share of their way
+  double realised_share = 1;  ///< the root of 1 - missing_share^2, the norm of the part of rho that
+                              ///< the new surface has where the two parts are orthogonal, relative
+                              ///< to that of rho; of control points, the share of their way
   double added_share = 0;     ///< with prescribed directions around holes: norm of the rho that was
                               ///< added so that the surface closes up, relative to that of the mean
                               ///< curvature of a round sphere, sqrt(4 pi), for any size
@@ -72,7 +72,7 @@ struct [[nodiscard]] Spin_report : internal::Dirac_evidence {
     double bound = 0;             ///< requested; 0: none
     double low = 1, high = 1;     ///< factors of lengths, of 1 % to 99 % of the area
     double min = 1, max = 1;      ///< and of all of it
-    double weight = 0;            ///< w of `internal::Scale_search`; 0: rho was within the bound
+    double weight = 0;            ///< w of `internal::Relaxed_scales`; 0: the bound is slack
     double kept_norm = 1;         ///< norm of the realised rho relative to that of rho
     double kept_correlation = 1;  ///< between the two; on closed surfaces without their means
 
@@ -116,7 +116,8 @@ struct [[nodiscard]] Spin_report : internal::Dirac_evidence {
     double direction_error = 0.18;  ///< of its mean, in radians: ten degrees
     double realised_share = 0.44;   ///< the least: the norm left out is .9 then
     double kept_norm = 0.1;         ///< the least of `Scales::kept_norm`
-    double agreement = 0.5;         ///< the least of `Realised_curvature::agreement()`
+    double agreement = 0.5;         ///< of `Realised_curvature::agreement()`, see `falls_short()`
+    double opposition = 0.2;        ///< the largest of minus the agreement
     Conformality::Limits map;
   };
 
@@ -133,8 +134,8 @@ struct [[nodiscard]] Spin_report : internal::Dirac_evidence {
     open,          ///< the new edges do not close up, or not around handles and holes
     scales,        ///< lengths change by more than the bound
     exact_class,   ///< the exact discrete conformal class is not reached
-    unrealised,    ///< `falls_short()`; not reported yet
-    map            ///< see `Conformality::fault()`
+    map,           ///< see `Conformality::fault()`
+    unrealised     ///< the curvature has changed against rho, as beyond a resonance
   };
 
   /// \brief the verdict: the first reason why the transformation is not what was requested, or
@@ -145,7 +146,8 @@ struct [[nodiscard]] Spin_report : internal::Dirac_evidence {
   Fault fault() const;
 
   /// \brief whether the curvature of the new surface has changed otherwise than requested:
-  /// `Realised_curvature::agreement()` is below its limit. A warning, not yet a fault.
+  /// `Realised_curvature::agreement()` is below its limit. A warning, and a fault only where it is
+  /// against rho.
   bool falls_short() const;
 
   Limits limits;  ///< what `fault()` and the conversion to `bool` judge by

@@ -26,18 +26,21 @@ std::string reason_of(const Spin_report& r)
 std::ostream& operator<<(std::ostream& out, const Spin_report& r)
 {
   const char* const failed = r.cancelled ? "cancelled" : "NOT solved";
-  out << "Dirac equation         " << (r.converged ? "solved" : failed) << ", residual "
-      << r.residual << " after " << r.iterations << " iterations";
+  const char* const solved = r.is_relaxed ? "relaxed" : "solved";
+  out << "Dirac equation         " << (r.converged ? solved : failed) << ", residual "
+      << (r.is_relaxed ? r.dirac_residual : r.residual) << " after " << r.iterations
+      << " iterations";
   if (r.substeps > 1) out << " in " << r.substeps << " substeps";
   out << ", " << r.factorizations << " factorizations";
-  out << "\neigenvalue             " << r.eigenvalue << " (";
+  out << (r.is_relaxed ? "\ngamma                  " : "\neigenvalue             ") << r.eigenvalue
+      << " (";
   if (r.gap > 0) out << "next one " << r.gap << " away, ";
   out << "overlap with the identity " << r.overlap << ")\n"
       << "closure                " << r.closure_residual << " of the edge lengths\n";
   if (r.steps != 1 || r.missing_share > 0)
-    out << "handles kept closed    in " << r.steps << " steps, " << 100 * r.reached
-        << " % of the way, " << 100 * r.realised_share << " % of rho realised and "
-        << 100 * r.missing_share << " % left out, by norm\n";
+    out << "handles kept closed    " << 100 * r.reached << " % of the way, "
+        << 100 * r.realised_share << " % of rho realised and " << 100 * r.missing_share
+        << " % left out, by norm\n";
   if (r.added_share > 0)
     out << "added to close holes   a rho of " << 100 * r.added_share
         << " % of the curvature of a sphere\n";

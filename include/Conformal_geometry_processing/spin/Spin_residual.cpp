@@ -17,20 +17,19 @@ Eigen::VectorXd values_at(const Spin_residual::Spins& lambda, const Spin_residua
   return all;
 }
 
-Eigen::VectorXd dampings_of(const Spin_residuals& residuals)
+Spin_residuals few_of(const Spin_residuals& residuals)
 {
-  Eigen::VectorXd all;
-  for (const Spin_residual* r : residuals) {
-    const Eigen::Index n = r->values().size();
-    all.conservativeResize(all.size() + n);
-    all.tail(n).setConstant(r->damping());
-  }
-  return all;
+  Spin_residuals few;
+  for (Spin_residual* r : residuals)
+    if (r->is_few()) few.push_back(r);
+  return few;
 }
 
 Block<Quaternion<double>> gradients_of(const Spin_residuals& residuals, Eigen::Index vertices)
 {
-  Block<Quaternion<double>> all(vertices, dampings_of(residuals).size());
+  Eigen::Index size = 0;
+  for (const Spin_residual* r : residuals) size += r->values().size();
+  Block<Quaternion<double>> all(vertices, size);
   Eigen::Index column = 0;
   for (const Spin_residual* r : residuals) {
     const Eigen::Index n = r->values().size();

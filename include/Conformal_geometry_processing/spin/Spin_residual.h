@@ -10,8 +10,8 @@
 namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgSpin
-/// \brief numbers r(lambda) that a `Potential_search`, or `Relaxed_spins`, makes small, or zero:
-/// what is wanted of the transformed surface, in terms of its spins.
+/// \brief numbers r(lambda) that `Relaxed_spins` make small, or zero: what is wanted of the
+/// transformed surface, in terms of its spins.
 ///
 /// They must not depend on the gauge, a right factor of lambda.
 class Spin_residual {
@@ -35,9 +35,9 @@ class Spin_residual {
   /// Empty: they leave this residual to the iterations.
   virtual Eigen::VectorXd stiffness() const { return {}; }
 
-  /// as constraints: numbers that rho changes this many times less than others are nearly left
-  /// alone; 0: none are
-  virtual double damping() const { return 0; }
+  /// \brief whether the values are few, such as periods: preconditioners then take their gradients
+  /// one by one.
+  virtual bool is_few() const { return false; }
 };
 
 using Spin_residuals = std::vector<Spin_residual*>;
@@ -45,8 +45,8 @@ using Spin_residuals = std::vector<Spin_residual*>;
 /// adopts the spins for all, and returns the values of one after the other
 Eigen::VectorXd values_at(const Spin_residual::Spins& lambda, const Spin_residuals& residuals);
 
-/// `damping()` of each of the values
-Eigen::VectorXd dampings_of(const Spin_residuals& residuals);
+/// those with `is_few()`
+Spin_residuals few_of(const Spin_residuals& residuals);
 
 /// the gradients of the values with respect to the spins, |V| x number of values
 Block<Quaternion<double>> gradients_of(const Spin_residuals& residuals, Eigen::Index vertices);

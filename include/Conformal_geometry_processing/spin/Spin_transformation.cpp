@@ -3,7 +3,6 @@
 
 #include <Conformal_geometry_processing/operators/Curvature_potential.h>
 #include <Conformal_geometry_processing/spin/Boundary_condition.h>
-#include <Conformal_geometry_processing/spin/Exact_steps.h>
 #include <Conformal_geometry_processing/spin/Exactness_constraints.h>
 #include <Conformal_geometry_processing/spin/Poisson_reconstruction.h>
 #include <Conformal_geometry_processing/spin/boundary_fault.h>
@@ -18,6 +17,7 @@
 
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -71,6 +71,7 @@ void Spin_transformation::set_positions(const Points& positions)
     m_stage->domain.set_positions(p);
     m_stage->is_poisson_old = true;
     m_stage->exactness.reset();
+    m_stage->closing.reset();
     require_condition(domain().surface(), m_options.boundary, m_function);
     system().update_geometry();
   };
@@ -107,29 +108,25 @@ const internal::Exactness_constraints& Spin_transformation::exactness(Curvature_
   return *found;
 }
 
+const internal::Exactness_constraints* Spin_transformation::closing()
+{
+  if (!m_options.exactness || !has_loops()) return nullptr;
+  auto& found = m_stage->closing;
+  if (!found) {
+    internal::Stopwatch watch;
+    const auto& laplacian = reconstruction().solver();
+    m_unreported.seconds.reconstruction += watch.lap();
+    found = exactness_constraints(system(), laplacian, domain().forms(),
+                                  Curvature_potential::On::vertices, std::nullopt);
+    m_unreported.seconds.exactness += watch.lap();
+  }
+  return &*found;
+}
+
 void Spin_transformation::require_potential(const Curvature_potential& rho) const
 {
   Conformal_geometry_processing::require_potential(domain().mesh(), rho, domain().unit(),
                                                    m_function);
-}
-
-Spin_result Spin_transformation::transform_exactly(const Curvature_potential& rho,
-                                                   const Dirac_options& options,
-                                                   const internal::Go_further& go_further)
-{
-  if (!m_options.exactness || !has_loops()) return step_within_bound(rho, options, go_further);
-  const Points home = positions();
-  const auto go_home = [&] {
-    if (positions() != home) set_positions(home);
-  };
-  try {
-    Spin_result result = internal::Exact_steps(*this, rho, m_options).run(options, go_further);
-    go_home();
-    return result;
-  } catch (...) {
-    go_home();
-    throw;
-  }
 }
 
 Spin_result Spin_transformation::transform(const Curvature_potential& rho,
@@ -138,12 +135,9 @@ Spin_result Spin_transformation::transform(const Curvature_potential& rho,
 {
   const internal::Thread_team team;
   m_visits.require_no_visit(m_function);
-  // Control of scale needs both factors, the exact class the surface before all steps.
-  if (m_options.scales.bound || m_options.exact_conformal_class)
-    return transform(rho, options, go_further);
+  // Relaxed spins need both factors, the exact class the surface before all steps.
+  if (is_relaxed() || m_options.exact_conformal_class) return transform(rho, options, go_further);
   require_potential(rho);
-  if (m_options.exactness && has_loops())
-    return judged(transform_exactly(rho, options, go_further), rho);
   Spin_result result = solve(rho, options, go_further);
   system().release();
   if (!result.report.cancelled) reconstruct(result);
@@ -192,13 +186,12 @@ void Spin_transformation::require_size(Eigen::Index size, const std::string& wha
 }
 
 Spin_result Spin_transformation::solve(const Curvature_potential& rho, Dirac_options options,
-                                       const internal::Go_further& go_further,
-                                       const internal::Is_too_far& is_too_far)
+                                       const internal::Go_further& go_further)
 {
   const double unit = domain().unit();
   options.kernel_tolerance *= unit;
   Spin_result result = in_units(solve_dirac_equation(system(), {rho.on, rho.values * unit}, options,
-                                                     m_visits.guarded(go_further), is_too_far));
+                                                     m_visits.guarded(go_further)));
   internal::add_costs(result.report, take_unreported());
   return result;
 }
@@ -271,7 +264,8 @@ void Spin_transformation::judge_boundary(const Points& f, Spin_report& report) c
     report.position_error = {errors.mean(), errors.maxCoeff()};
   }
   const bool is_misfit = dirac.directions() && !dirac.is_self_adjoint();
-  const double sigma = is_misfit ? report.eigenvalue * domain().unit() : 0;
+  const double misfit = report.is_relaxed ? report.dirac_residual : report.eigenvalue;
+  const double sigma = is_misfit ? misfit * domain().unit() : 0;
   report.boundary_fault = boundary_fault(dirac.surface(), sigma, report);
 }
 

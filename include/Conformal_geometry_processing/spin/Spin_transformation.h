@@ -20,6 +20,10 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+class Relaxed_scales;
+}
+
 /// \ingroup PkgSpin
 /// \brief computes spin transformations of a surface: finds the conformally equivalent surface
 /// whose mean curvature differs by a prescribed rho, with optional boundary conditions [CGP
@@ -28,30 +32,25 @@ namespace Conformal_geometry_processing {
 /// H~ |lambda|^2 = H + rho + gamma, so positive rho bulges along the normals. The result has the
 /// area and the centroid of the mesh, unless positions are prescribed. Computations that depend
 /// only on the mesh are done once: checks, ordering and symbolic analysis in the constructor, the
-/// factorization of the Laplacian on first use. Each call of `transform()` costs one solve with the
-/// Laplacian, and numeric factorizations of the Dirac matrix and solves with it: on smooth spheres
-/// one and about six, on most scans one to three and up to 30, on meshes with long thin limbs ten
-/// and more than 100. The report counts them (`factorizations`, `solves`).
+/// factorization of the Laplacian on first use.
 ///
-/// On a surface with handles or holes, the edges of a transformed surface have periods along the
-/// loops, and forcing the surface to close shears it. To first order the periods vanish if rho is
-/// orthogonal to three functions for each loop [CGP 4.5.2]. `transform()` applies the part of rho
-/// that keeps the surface closed, and changes it by the little that removes the periods of second
-/// order, see `internal::closed_step()`. Where that does not reach the tolerance, it takes several
-/// steps, each from the surface found so far towards the missing curvature. The first
-/// transformation of a surface costs a second factorization, and about 10 solves for each handle;
-/// so does each further step, and a factorization of the Laplacian. Prescribed directions that turn
-/// the boundary contribute periods, too: rho is then not projected, but changed by the least that
-/// closes the surface, which costs another factorization for each change (`added_share`).
+/// Without a bound on lengths, on surfaces without handles or holes, lambda is an eigenvector. Each
+/// call of `transform()` costs one solve with the Laplacian, and numeric factorizations of the
+/// Dirac matrix and solves with it: on smooth spheres one and about six, on most scans one to three
+/// and up to 30, on meshes with long thin limbs ten and more than 100. The report counts them
+/// (`factorizations`, `solves`).
+///
+/// With a bound (`Spin_transformation_options::scales`), or where edges have to close up around
+/// handles or holes, spins and rho are the unknowns of one least-squares problem, see
+/// `internal::Relaxed_spins`: rho' is as near to rho as the bound, the loops and the mesh allow,
+/// and no eigenvector is computed. That costs one to five factorizations and 30 to 150 solves, and
+/// for each loop three more in each step. The report tells what was kept (`Spin_report::scales`)
+/// or, with loops, left out (`missing_share`); with prescribed directions that turn the boundary
+/// around holes, what was added to rho to close the surface (`added_share`).
 ///
 /// With mollification, triangles may be needles, caps, or of area zero. Area, centroid and
 /// certificate then refer to the `well_shaped_faces()`, which exclude the thinnest faces, at most 5
 /// % of the area.
-///
-/// With a bound on the change of lengths (`Spin_transformation_options::scales`), a rho beyond it
-/// is replaced by the nearest one within, see `internal::Scale_search`; a rho within it is applied
-/// as it is, unless lengths are far beyond it on the way. The report contains what was kept
-/// (`Spin_report::scales`).
 ///
 /// On request the result is moved to the exact discrete conformal class of the mesh
 /// (`Spin_transformation_options::exact_conformal_class`), from which the discretisation error
@@ -103,12 +102,8 @@ class Spin_transformation {
   /// \throw Solver_error if a factorization fails, or a solve
   const internal::Exactness_constraints& exactness(Curvature_potential::On on);
 
-  /// \brief these constraints where edges have to close up: around handles or holes, unless the
-  /// options say otherwise; null elsewhere.
-  const internal::Exactness_constraints* exactness_if_looped(Curvature_potential::On on)
-  {
-    return m_options.exactness && has_loops() ? &exactness(on) : nullptr;
-  }
+  /// what tells whether loops close, computed on first use; null where they need not
+  const internal::Exactness_constraints* closing();
 
   /// \brief the costs of `exactness()` that no report contains yet; from now on they count as
   /// reported.
@@ -130,9 +125,7 @@ class Spin_transformation {
 
   /// \brief computes the surface whose mean curvature is changed by rho. The object is unchanged.
   ///
-  /// If rho cannot be realised entirely, the report contains the completed share (`reached`) and
-  /// the share that was left out (`missing_share`). If it was cancelled, or no step was possible
-  /// (`steps` is zero), there are no positions.
+  /// If it was cancelled, there are no positions.
   /// \param rho in 1/length of the mesh, one number per vertex or per face
   /// \param go_further called between iterations with an `Eigensolver_progress`; cancels by
   /// returning false
@@ -175,7 +168,7 @@ class Spin_transformation {
     internal::Dirac_system system;
     std::optional<Poisson_reconstruction> poisson;
     bool is_poisson_old = false;  // the surface has moved since the Laplacian was assembled
-    std::optional<internal::Exactness_constraints> exactness;
+    std::optional<internal::Exactness_constraints> exactness, closing;
     std::optional<internal::Solver_ref<double>> smoother;  // of the curvature that is judged
     double seconds;
   };
@@ -188,32 +181,26 @@ class Spin_transformation {
     return domain().has_loops() && m_options.boundary.kind != Boundary_condition::Kind::positions;
   }
 
-  /// `transform()` off the exact conformal class
-  Spin_result transform_freely(const Curvature_potential& rho, const Dirac_options& options,
-                               const internal::Go_further& go_further);
-
   /// \brief moves a transformed surface to its exact conformal class; where that takes lengths
   /// beyond their bound, that of one transformed with a tighter bound.
   Spin_result on_class(Spin_result result, const Curvature_potential& rho,
                        const Dirac_options& options, const internal::Go_further& go_further);
   void move_to_class(Spin_result& result);
 
-  /// `transform()` without control of scale. Where lengths exceed their bound, it may end on the
-  /// way, not converged or with `reached` < 1, and have no positions.
-  Spin_result transform_exactly(const Curvature_potential& rho, const Dirac_options& options,
-                                const internal::Go_further& go_further);
+  /// whether lengths are bounded or loops have to close, which no eigenvector need do
+  bool is_relaxed() const { return m_options.scales.bound || (m_options.exactness && has_loops()); }
 
-  /// likewise `step()`
-  Spin_result step_within_bound(const Curvature_potential& rho, const Dirac_options& options,
-                                const internal::Go_further& go_further);
-
-  /// \brief the transformation by the rho' nearest to rho that keeps to the bound on lengths, or
-  /// nearest to a share of it (`internal::Share_search`).
-  /// \param share of rho to begin with
+  /// \brief the surface of `internal::Relaxed_scales` with a given control, whose handles and holes
+  /// are closed by a `internal::Period_residual`.
+  /// \param stiffness factor of the weights of the misfit
   /// \pre no positions are prescribed
-  Spin_result bound_scales(const Curvature_potential& rho, double share,
-                           const internal::Scale_control& control, const Dirac_options& options,
-                           const internal::Go_further& go_further);
+  Spin_result relaxed(const Curvature_potential& rho, const internal::Scale_control& control,
+                      double stiffness, const Dirac_options& options,
+                      const internal::Go_further& go_further);
+
+  /// tells what is kept of rho, or added to it
+  void tell_shares(const internal::Relaxed_scales& found, const Eigen::VectorXd& wanted,
+                   const internal::Scale_control& control, Spin_report& report);
 
   /// \brief the surface of spins in the frame, with its report.
   /// \param closing what tells whether handles are closed, or null
@@ -225,8 +212,7 @@ class Spin_transformation {
 
   /// lambda, with its part of the report
   Spin_result solve(const Curvature_potential& rho, Dirac_options options,
-                    const internal::Go_further& go_further,
-                    const internal::Is_too_far& is_too_far = {});
+                    const internal::Go_further& go_further);
 
   /// Computes positions from lambda, with the area and the centroid of the mesh, and the
   /// certificate.

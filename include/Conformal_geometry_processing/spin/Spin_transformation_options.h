@@ -25,7 +25,6 @@ struct Spin_transformation_options {
   /// and holes; none: a quarter of the discretisation error, which falls with the edge length, see
   /// `internal::Period_limit`
   std::optional<double> max_period_defect = std::nullopt;
-  double min_step = 1. / 256;  ///< the smallest share of rho for a step but the last
   /// with a bound on the change of lengths, rho is replaced by the nearest one that keeps to it
   internal::Scale_control scales = {};
   /// whether `transform()` ends with the nearest surface whose length cross-ratios are those of the

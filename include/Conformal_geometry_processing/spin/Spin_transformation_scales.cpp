@@ -5,13 +5,15 @@
 #include <Conformal_geometry_processing/linear_algebra/direct/Stopwatch.h>
 #include <Conformal_geometry_processing/spin/Exactness_constraints.h>
 #include <Conformal_geometry_processing/spin/Period_limit.h>
-#include <Conformal_geometry_processing/spin/Scale_search.h>
-#include <Conformal_geometry_processing/spin/Share_search.h>
+#include <Conformal_geometry_processing/spin/Period_residual.h>
+#include <Conformal_geometry_processing/spin/Relaxed_scales.h>
 #include <Conformal_geometry_processing/spin/move_to_class.h>
 #include <Conformal_geometry_processing/spin/transformed_edges.h>
 #include <Conformal_geometry_processing/threads/Thread_team.h>
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace Conformal_geometry_processing {
@@ -23,11 +25,25 @@ Spin_result Spin_transformation::transform(const Curvature_potential& rho,
   const internal::Thread_team team;
   m_visits.require_no_visit(m_function);
   require_potential(rho);
-  Spin_result result = transform_freely(rho, options, go_further);
+  Spin_result result = is_relaxed() ? relaxed(rho, m_options.scales, 1, options, go_further)
+                                    : trial_step(rho, options, go_further);
   const bool is_found = result.report.converged && !result.report.cancelled;
   if (m_options.exact_conformal_class && is_found)
     result = on_class(std::move(result), rho, options, go_further);
   return judged(std::move(result), rho);
+}
+
+/// \brief a bound with which a surface that was moved to its class is expected to keep to its own:
+/// the move adds about the same to the logs of lengths each time.
+inline internal::Scale_control tighter_by(const Spin_report& report,
+                                          internal::Scale_control control)
+{
+  const double margin = .05, excess = report.scales.excess();
+  if (!(excess > 1)) return control;
+  const double now = std::log(*control.bound);
+  const double next = now - (excess - 1 + margin) * std::log(report.scales.bound);
+  control.bound = std::exp((std::max)(next, now / 4));
+  return control;
 }
 
 Spin_result Spin_transformation::on_class(Spin_result result, const Curvature_potential& rho,
@@ -37,10 +53,15 @@ Spin_result Spin_transformation::on_class(Spin_result result, const Curvature_po
   move_to_class(result);
   const int max_tries = 3;
   internal::Scale_control tighter = m_options.scales;
-  for (int i = 0; i < max_tries && result.report.scales.excess() > 1; ++i) {
-    const double margin = 1.05;
-    tighter.bound = std::pow(*tighter.bound, 1 / (margin * result.report.scales.excess()));
-    Spin_result next = bound_scales(rho, 1, tighter, options, go_further);
+  double stiffness = 1;
+  const auto is_there = [&] {
+    const Spin_report& r = result.report;
+    return !is_relaxed() || (r.scales.excess() <= 1 && r.exact_class && *r.exact_class);
+  };
+  for (int i = 0; i < max_tries && !is_there(); ++i) {
+    if (!*result.report.exact_class) stiffness *= 10;  // nearer to the class
+    tighter = tighter_by(result.report, tighter);
+    Spin_result next = relaxed(rho, tighter, stiffness, options, go_further);
     if (next.report.converged && !next.report.cancelled) move_to_class(next);
     internal::add_costs(next.report, result.report);
     result = std::move(next);
@@ -63,68 +84,60 @@ void Spin_transformation::move_to_class(Spin_result& result)
   r.scales = now;
 }
 
-Spin_result Spin_transformation::transform_freely(const Curvature_potential& rho,
-                                                  const Dirac_options& options,
-                                                  const internal::Go_further& go_further)
+/// the mesh is too coarse for what is wanted
+bool is_sheared(const Spin_report& report)
 {
-  Spin_result result = transform_exactly(rho, options, go_further);
-  Spin_report& r = result.report;
-  if (!m_options.scales.bound || r.cancelled) return result;
-  if (r.converged)  // otherwise lambda may not be finite
-    r.scales = internal::measured_scales(result.lambda, system().areas(), m_options.scales);
-  const bool is_within = r.converged && r.reached == 1 && r.scales.excess() <= 1;
-  const bool is_closed = r.closure_residual <= r.limits.closure;
-  if (is_within && is_closed && r.fault() != Spin_report::Fault::map) return result;
-  const double share = is_within && is_closed ? .5 : 1;
-  Spin_result bounded = bound_scales(rho, share, m_options.scales, options, go_further);
-  const bool is_better = !is_within || bounded.report || bounded.report.cancelled;
-  Spin_result& best = is_better ? bounded : result;
-  internal::add_costs(best.report, is_better ? r : bounded.report);
-  return std::move(best);
+  return !report.cancelled && !(report.closure_residual <= .95 * report.limits.closure);
 }
 
-Spin_result Spin_transformation::step_within_bound(const Curvature_potential& rho,
-                                                   const Dirac_options& options,
-                                                   const internal::Go_further& go_further)
+Spin_result Spin_transformation::relaxed(const Curvature_potential& rho,
+                                         const internal::Scale_control& control, double stiffness,
+                                         const Dirac_options& options,
+                                         const internal::Go_further& go_further)
 {
-  const internal::Scale_control& scales = m_options.scales;
-  if (!scales.bound) return trial_step(rho, options, go_further);
-  const Eigen::VectorXd& areas = system().areas();
-  Spin_result result =
-      solve(rho, options, go_further, [&](const Quaternion_vector<double>& lambda) {
-        return internal::exceeds_bound_by_far(lambda, areas, scales);
-      });
-  const Spin_report& r = result.report;
-  if (r.converged && !r.cancelled &&
-      internal::measured_scales(result.lambda, areas, scales).excess() <= 1)
-    reconstruct(result);
+  const internal::Exactness_constraints* const loops = closing();
+  internal::Spin_residuals others;
+  std::optional<internal::Period_residual> periods;
+  if (loops) others.push_back(&periods.emplace(system().surface(), *loops));
+  double period_weight = 1e4;  // leaves defects that nobody sees
+  if (loops) periods->set_weight(period_weight);
+  const Eigen::VectorXd wanted =
+      domain().unit() * internal::values_at_vertices(domain().mesh(), rho);
+  internal::Relaxed_scales_options search;
+  search.spins.weights.factor = stiffness;
+  internal::Relaxed_scales scales(system(), wanted, control, others, search);
+  scales.run(m_visits.guarded(go_further));
+  const auto surface = [&] { return surface_of(scales.solution(), loops, options.tolerance); };
+  Spin_result result = surface();
+  const int max_tries = 4;
+  for (int i = 0; i < max_tries && !result.report.cancelled; ++i) {
+    const bool is_open = !(result.report.period_defect <= result.report.period_limit);
+    if (is_open) periods->set_weight(period_weight *= 30);
+    if (!is_open && !is_sheared(result.report)) break;
+    scales.stiffen(is_open ? 1 : 3, m_visits.guarded(go_further));
+    result = surface();
+  }
+  if (!result.report.cancelled) tell_shares(scales, wanted, control, result.report);
+  internal::add_costs(result.report, take_unreported());
   return result;
 }
 
-Spin_result Spin_transformation::bound_scales(const Curvature_potential& rho, double share,
-                                              const internal::Scale_control& control,
-                                              const Dirac_options& options,
-                                              const internal::Go_further& go_further)
+void Spin_transformation::tell_shares(const internal::Relaxed_scales& found,
+                                      const Eigen::VectorXd& wanted,
+                                      const internal::Scale_control& control, Spin_report& report)
 {
-  const auto* const closing = exactness_if_looped(rho.on);
-  internal::Stopwatch watch;
-  const Poisson_reconstruction& reconstructs = reconstruction();
-  m_unreported.seconds.reconstruction += watch.lap();
-  using Search = internal::Scale_search;
-  Search search(system(), {rho.on, rho.values * domain().unit()}, control, reconstructs, closing,
-                [&](const internal::Dirac_solution& found) {
-                  return surface_of(found, closing, options.tolerance).report.period_limit;
-                });
-  using Trial = Search::Trial;
-  internal::Share_search<Trial> shares([&](double t, const Trial* from) {
-    Spin_result found = surface_of(search.run(t, from, options, m_visits.guarded(go_further)),
-                                   closing, options.tolerance);
-    if (!found.report.cancelled) found.report.scales = search.scales();
-    return typename internal::Share_search<Trial>::Attempt{std::move(found), search.best()};
-  });
-  Spin_result best = shares.run(share);
-  internal::add_costs(best.report, take_unreported());
-  return best;
+  const Spin_report::Scales kept = found.scales();
+  if (control.bound) report.scales = kept;
+  if (!closing()) return;
+  if (turns_directions()) {
+    const double sphere = std::sqrt(4 * std::acos(-1.));
+    const Eigen::VectorXd added = found.spins().rho() - wanted;
+    report.added_share = std::sqrt(system().areas().dot(added.cwiseAbs2())) / sphere;
+  } else {
+    report.missing_share = kept.distance();
+    const double left_out = (std::min)(kept.distance(), 1.);
+    report.realised_share = std::sqrt(1 - left_out * left_out);
+  }
 }
 
 Spin_result Spin_transformation::surface_of(internal::Dirac_solution found,

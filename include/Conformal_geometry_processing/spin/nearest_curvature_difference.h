@@ -21,8 +21,10 @@ namespace Conformal_geometry_processing {
 /// mesh, or none has these binormals, the plain difference is returned; also if the search is
 /// cancelled.
 ///
-/// Costs what the search costs: a factorization for each of its steps, 10 to 40 for surfaces that
-/// are conformally equivalent, and some hundred solves with each.
+/// The spins of that search are no eigenvector, so its rho is corrected by the differences of
+/// curvature that a few transformations by it leave.
+///
+/// Costs what these cost: three to ten factorizations, and some hundred solves.
 /// \param positions of the other surface, 3 x |V|
 /// \param distance_tolerance see `Nearest_spin_options`
 /// \param function named in exceptions

@@ -57,14 +57,13 @@ void solve_with_free_boundary(Dirac_system& system, const Curvature_potential& r
 internal::Dirac_solution solve_dirac_equation(internal::Dirac_system& system,
                                               const Curvature_potential& rho,
                                               const Dirac_options& options,
-                                              const internal::Go_further& go_further,
-                                              const internal::Is_too_far& is_too_far)
+                                              const internal::Go_further& go_further)
 {
   if (options.problem == Dirac_options::Eigenproblem::generalized)
     internal::require_generalized(system, rho);
   internal::Dirac_solution s;
   if (system.is_closed()) {
-    internal::Dirac_branch(system, rho, options, s, go_further).solve(is_too_far);
+    internal::Dirac_branch(system, rho, options, s, go_further).solve();
     if (options.problem == Dirac_options::Eigenproblem::generalized && s.converged)
       solve_generalized_dirac(system, rho, options, s, go_further);
     return s;
@@ -83,18 +82,6 @@ internal::Dirac_solution solve_dirac_equation(internal::Dirac_system& system,
   s.eigenvalue = dirac_misfit(system.surface(), rho, s.lambda);  // without the cancellation in X
   s.converged = components(s.lambda).allFinite();
   s.overlap = system.overlap_with_identity(s.lambda);
-  return s;
-}
-
-internal::Dirac_solution internal::correct_dirac_solution(Dirac_system& system,
-                                                          const Curvature_potential& rho,
-                                                          const Dirac_solution& guess,
-                                                          const Dirac_options& options,
-                                                          const Go_further& go_further)
-{
-  if (!system.is_closed()) return solve_dirac_equation(system, rho, options, go_further);
-  Dirac_solution s;
-  Dirac_branch(system, rho, options, s, go_further).correct(guess);
   return s;
 }
 

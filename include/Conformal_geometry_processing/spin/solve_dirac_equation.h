@@ -30,10 +30,6 @@ namespace Conformal_geometry_processing {
 /// \param rho finite values, in 1/length
 /// \param go_further called between iterations with an `Eigensolver_progress`; cancels by returning
 /// false
-/// \param is_too_far tells of spins for t rho, t < 1, whether those of rho are of no use any more:
-/// they are not looked for then, and do not count as converged. On closed surfaces only
-///
-///
 /// \throw Precondition_error if the generalized problem is requested with rho on vertices, or on a
 /// surface with boundary
 /// \throw Solver_error if a factorization fails. Failure to converge is not an error but a field of
@@ -41,22 +37,6 @@ namespace Conformal_geometry_processing {
 internal::Dirac_solution solve_dirac_equation(
     internal::Dirac_system& system, const Curvature_potential& rho,
     const Dirac_options& options = {},
-    const internal::Go_further& go_further = internal::Always_go_further(),
-    const internal::Is_too_far& is_too_far = {});
-
-namespace internal {
-
-/// \ingroup PkgSpin
-/// \brief solves the equation for a rho near one whose solution is known.
-///
-/// On closed surfaces corrects an approximate solution, which costs one factorization as a rule; it
-/// has converged only if the corrected spins are near it. Otherwise calls `solve_dirac_equation()`.
-/// \param guess spins and eigenvalue predicted for rho, gaps of the known solution
-Dirac_solution correct_dirac_solution(Dirac_system& system, const Curvature_potential& rho,
-                                      const Dirac_solution& guess,
-                                      const Dirac_options& options = {},
-                                      const Go_further& go_further = Always_go_further());
-
-}  // namespace internal
+    const internal::Go_further& go_further = internal::Always_go_further());
 
 }  // namespace Conformal_geometry_processing

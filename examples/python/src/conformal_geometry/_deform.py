@@ -65,8 +65,8 @@ def deform(V: Any, F: Any, targets: Mapping[int, Any], *, position_weight: Optio
            limits: Optional[Dict[str, float]] = None,
            callback: Callback = None) -> Deformation_result:
     """Deforms a surface conformally so that vertices move to given places, exactly: by the least
-    smooth change rho of mean curvature whose spin transformation [CGP (5.3)-(5.5)], placed by a
-    similarity, takes them there.
+    smooth change rho of mean curvature and spins that nearly solve its Dirac equation [CGP
+    (5.3)-(5.5)], whose surface, placed by a similarity, has them there.
 
     What similarities can do costs nothing: one or two targets move, turn and scale the whole. Hold
     parts by targets where they are. Targets beyond reach are approached as far as the surface

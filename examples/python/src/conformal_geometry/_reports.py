@@ -126,6 +126,7 @@ class Limits:
     realised_share: float
     kept_norm: float
     agreement: float
+    opposition: float
     quasi_conformal: float
     flipped_share: float
     collapsed_share: float
@@ -135,16 +136,18 @@ class Limits:
 class Spin_report(Report):
     """The numbers that verify a spin transformation; curvatures in 1/length of the mesh.
 
-    fault: why it is not what was asked for, or None. eigenvalue: gamma; rho + gamma was realised.
-    residual: error estimate of the spins. closure_residual: how far the new edges are from those of
-    a surface, relative. steps, reached, period_defect: how handles were kept closed.
-    realised_share, missing_share: the norms of the part of rho that the new surface has and of the
-    part that was left out for that, both relative to the norm of rho.
+    fault: why it is not what was asked for, or None. is_relaxed: the spins are those of a
+    least-squares problem (with max_scale, or handles), and no eigenvector, which residual and gap
+    are about. eigenvalue: gamma; rho + gamma was realised. residual: error estimate of the spins.
+    closure_residual: how far the new edges are from those of a surface, relative. period_defect: how
+    far handles are from closed. realised_share, missing_share: the norms of the rho' that the new
+    surface has and of rho' - rho, both relative to the norm of rho.
     See Spin_report.h for every field.
     """
     fault: Optional[str]
     converged: bool
     cancelled: bool
+    is_relaxed: bool
     eigenvalue: float
     residual: float
     dirac_residual: float

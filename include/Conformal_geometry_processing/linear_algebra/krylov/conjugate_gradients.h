@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 namespace Conformal_geometry_processing {
@@ -18,6 +19,7 @@ namespace internal {
 struct Conjugate_gradients_options {
   double tolerance = 1e-9;   ///< of the error relative to the solution, in the energy norm
   int max_iterations = 100;  ///< each costs one K and one T
+  std::function<bool()> go_further = {};  ///< called after each iteration: false ends the run
 };
 
 /// \ingroup PkgLinearAlgebra
@@ -159,7 +161,10 @@ conjugate_gradients(const K& apply_k, const T& precondition, const Block<Scalar>
   const internal::Thread_team team;
   internal::Conjugate_gradients<Scalar, K, T> run(apply_k, precondition, b,
                                                   static_cast<FT>(options.tolerance));
-  for (int i = 0; i < options.max_iterations && run.step(); ++i) run.turn();
+  for (int i = 0; i < options.max_iterations && run.step(); ++i) {
+    if (options.go_further && !options.go_further()) break;
+    run.turn();
+  }
   return run.finish(x);
 }
 

@@ -1,0 +1,77 @@
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
+
+#include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
+#include <Conformal_geometry_processing/mesh/Sheet.h>
+#include <Conformal_geometry_processing/mesh/Surface_ref.h>
+#include <Conformal_geometry_processing/spin/Misfit_weights.h>
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace Conformal_geometry_processing::internal {
+
+/// \ingroup PkgSpin
+/// \brief the residual of the Dirac equation (D - rho) lambda = 0, relative to |lambda|, on sheets
+/// and at vertices, and its derivative dr = A y - N d for changes y of lambda and d of rho.
+///
+/// On a sheet s and at a vertex v, with M the areas of sheets and B the average over their corners,
+///
+///     r_s = (D lambda - B (rho lambda)) / |lambda|,
+///     r_v = (M_V^-1 B^H M D lambda - rho lambda) / |lambda|,
+///
+/// weighted by M and `Misfit_weights::sheets`, M_V and `Misfit_weights::vertices`; on a sheet,
+/// |lambda| is the root of the mean of |lambda|^2 at its corners. The real part is what the change
+/// of curvature (D lambda) lambda^-1 lacks to rho. It does not become smaller where lambda does:
+/// otherwise a limb that cannot take the shape of rho would shrink.
+///
+/// The sheets have twice as many equations as there are unknowns, so that no lambda solves these;
+/// but what even the eigenvector of (5.3) leaves of them oscillates from sheet to sheet, and its
+/// averages at vertices are of second order. Only those may weigh much: a large weight of the
+/// sheets asks for less curvature. All functions are O(sheets), and real-linear.
+class Dirac_misfit {
+ public:
+  using Spins = Quaternion_vector<double>;
+
+  /// what does not depend on lambda and rho: the sheets, and M_V
+  struct Geometry {
+    std::vector<Sheet> sheets;
+    Eigen::VectorXd areas;
+
+    explicit Geometry(const Surface_ref& surface);
+  };
+
+  /// \param geometry must outlive the object
+  /// \param rho |V|, in 1/length
+  Dirac_misfit(const Geometry& geometry, const Misfit_weights& weights, Eigen::VectorXd rho,
+               Spins lambda);
+
+  const Spins& residual() const { return m_residual; }  ///< r, in 1/length: sheets, then vertices
+
+  Spins apply(const Spins& y) const;             ///< A y
+  Spins adjoint(const Spins& z) const;           ///< A^H W z with the weights W, |V|
+  Spins turn(const Eigen::VectorXd& d) const;    ///< N d
+  Eigen::VectorXd turned(const Spins& z) const;  ///< N^T W z, |V|
+  double squared_norm(const Spins& z) const;     ///< <z, W z>
+
+ private:
+  int sheets() const { return static_cast<int>(m_geometry->sheets.size()); }
+  template <class Visit>
+  void for_each_owned_sheet(const Visit& visit) const;
+  double growth(const Sheet& sheet, int s, const Spins& y) const;
+  void image(const Spins& y, Spins& r) const;
+
+  const Geometry* m_geometry;
+  Misfit_weights m_weights;
+  Eigen::VectorXd m_rho;
+  Spins m_lambda;
+  Eigen::VectorXd m_sizes;  // |lambda|: sheets, then vertices
+  Spins m_residual;
+};
+
+/// \ingroup PkgSpin
+/// the mean of |lambda|^2 at the corners of a sheet
+double mean_squared_norm(const Sheet& sheet, const Quaternion_vector<double>& lambda);
+
+}  // namespace Conformal_geometry_processing::internal

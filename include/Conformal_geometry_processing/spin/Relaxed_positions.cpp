@@ -1,0 +1,133 @@
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#include <Conformal_geometry_processing/spin/Relaxed_positions.h>
+
+#include <Conformal_geometry_processing/spin/Period_limit.h>
+#include <Conformal_geometry_processing/spin/boundary_fault.h>
+#include <Conformal_geometry_processing/spin/transformed_edges.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace Conformal_geometry_processing::internal {
+
+constexpr double met = 1e-9;            // of the distances, by R
+constexpr double less_curved = 10;      // the misfit of sheets, by the default, which asks for less
+                                        // curvature: with no rho wanted, for edges that close up
+constexpr double stiffness = 30;        // of the misfit, by the default: large distances would be
+                                        // met by shear, before rho' grows from nothing
+constexpr double largest_weight = 1e6;  // of distances by R: leaves little to `meet_few()`, and
+                                        // steps need not follow the curve of met targets
+
+Relaxed_positions::Relaxed_positions(Transformation& transformation, Problem problem,
+                                     const Points& targets, const Relaxed_scales_options& options)
+    : m_transformation(transformation),
+      m_problem(std::move(problem)),
+      m_closing(transformation.closing()),
+      m_positions(transformation.system().surface(), transformation.reconstruction(),
+                  m_problem.points, m_problem.masses),
+      m_periods(m_closing ? std::optional<Period_residual>(
+                                {transformation.system().surface(), *m_closing})
+                          : std::nullopt),
+      m_scales(transformation.system(), m_problem.rho, m_problem.scales, residuals(),
+               completed(options))
+{
+  const double period_weight = 1e4;  // as in `Spin_transformation`
+  if (m_periods) m_periods->set_weight(period_weight);
+  m_positions.set_stiffness(m_scales.spins().weights().sum());
+  set_weight(m_problem.weight);
+  set_targets(targets);
+}
+
+Spin_residuals Relaxed_positions::residuals()
+{
+  Spin_residuals all = {&m_positions};
+  if (m_periods) all.push_back(&*m_periods);
+  return all;
+}
+
+Relaxed_scales_options Relaxed_positions::completed(Relaxed_scales_options options)
+{
+  if (is_exact()) options.spins.weights.sheets *= less_curved;
+  options.spins.weights.vertices =
+      stiffness * default_vertex_weight(m_transformation.system().surface());
+  options.is_met = [this] { return adapt(); };
+  return options;
+}
+
+void Relaxed_positions::set_targets(const Points& targets)
+{
+  m_positions.set_targets(targets);
+  if (!is_exact()) return;
+  m_positions.set_spins(m_scales.spins().lambda());
+  const double d = m_positions.distance();
+  m_weight = std::clamp(16 / (d * d), 1., largest_weight);
+  m_positions.set_weight(m_weight);
+}
+
+void Relaxed_positions::set_weight(double weight)
+{
+  m_problem.weight = weight;
+  if (!is_exact()) m_positions.set_weight(weight);
+}
+
+bool Relaxed_positions::adapt()
+{
+  if (!is_exact()) return true;
+  const double d = m_positions.distance();
+  m_weight = std::clamp(16 / (d * d), m_weight, largest_weight);
+  m_positions.set_weight(m_weight);
+  return d * d * largest_weight < 16;
+}
+
+Relaxed_scales::End Relaxed_positions::go_on(const Go_further& go_further)
+{
+  const Relaxed_scales::End end = m_scales.go_on(go_further);
+  const int most = 8, patience = 5;
+  for (int i = 0; i < most && is_exact() && end != Relaxed_scales::End::cancelled; ++i) {
+    if (is_met()) break;
+    m_scales.meet_few(i >= patience);
+  }
+  return end;
+}
+
+bool Relaxed_positions::is_met()
+{
+  return !is_exact() || distance() < met;
+}
+
+double Relaxed_positions::distance()
+{
+  m_positions.set_spins(m_scales.spins().lambda());
+  return m_positions.distance();
+}
+
+Points Relaxed_positions::present_points() const
+{
+  return positions_of(m_problem.points,
+                      m_transformation.reconstruction().positions(transformed_edges(
+                          m_transformation.system().surface(), m_scales.spins().lambda())));
+}
+
+Spin_result Relaxed_positions::present()
+{
+  const auto& system = m_transformation.system();
+  const Dirac_solution s = m_scales.solution();
+  Spin_result result = m_transformation.integrate(s.lambda);
+  Spin_report& r = result.report;
+  static_cast<Dirac_evidence&>(r) = in_units(s, m_transformation.domain().unit());
+  static_cast<Dirac_evidence::Seconds&>(r.seconds) = s.seconds;
+  r.converged = s.converged && result.positions.allFinite();
+  if (!system.is_closed())
+    r.boundary_fault = boundary_fault(
+        system.surface(), system.is_self_adjoint() || !system.directions() ? 0 : s.eigenvalue, r);
+  if (m_problem.scales.bound) r.scales = m_scales.scales();
+  if (!m_closing) return result;
+  r.period_defect = m_closing->period_defect(transformed_edges(system.surface(), s.lambda));
+  r.period_limit = Period_limit()(r, 1);
+  return result;
+}
+
+}  // namespace Conformal_geometry_processing::internal

@@ -1,0 +1,133 @@
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#include <Conformal_geometry_processing/spin/Spin_preconditioner.h>
+
+#include <Conformal_geometry_processing/linear_algebra/dense/block_products.h>
+#include <Conformal_geometry_processing/linear_algebra/dense/hermitian_eigen_decomposition.h>
+
+#include <Eigen/Core>
+
+namespace Conformal_geometry_processing::internal {
+
+/// the components of the quaternions, a column for each column
+Eigen::Map<const Eigen::MatrixXd> reals(const Block<Quaternion<double>>& V)
+{
+  return {reinterpret_cast<const double*>(V.data()), 4 * V.rows(), V.cols()};
+}
+
+/// Re <a_i, b_j>
+Eigen::MatrixXd real_products(const Block<Quaternion<double>>& a,
+                              const Block<Quaternion<double>>& b)
+{
+  return reals(a).transpose() * reals(b);
+}
+
+/// the sums of columns with real factors, V C
+Block<Quaternion<double>> real_combination(const Block<Quaternion<double>>& V,
+                                           const Eigen::MatrixXd& C)
+{
+  Block<Quaternion<double>> sums(V.rows(), C.cols());
+  Eigen::Map<Eigen::MatrixXd>(reinterpret_cast<double*>(sums.data()), 4 * V.rows(), C.cols()) =
+      reals(V) * C;
+  return sums;
+}
+
+Spin_preconditioner::Spin_preconditioner(Dirac_system& system, const Spin_residuals& residuals,
+                                         double weight, double reuse)
+    : m_system(system), m_gauge(system), m_weight(weight), m_reuse(reuse)
+{
+  for (Spin_residual* residual : residuals)
+    (residual->is_few() ? m_few : m_dense).push_back(residual);
+}
+
+void Spin_preconditioner::update(const Spins& lambda, const Eigen::VectorXd& rho,
+                                 Relaxed_costs& costs)
+{
+  m_lambda = lambda;
+  const bool is_new = factorize(rho, costs);
+  Vectors gradients = gradients_of(m_few, m_lambda.size());
+  for (Eigen::Index k = 0; k < gradients.cols(); ++k)
+    gradients.col(k) = m_gauge.projected_gradient(m_lambda, gradients.col(k));
+  const double few_reuse = .1 * m_reuse;
+  if (is_new || gradients.cols() != m_columns || m_moved - m_chosen_at > few_reuse)
+    choose_few(gradients, costs);
+  if (m_few_changes.cols() > 0) adopt_few(gradients);
+}
+
+void Spin_preconditioner::choose_few(const Vectors& gradients, Relaxed_costs& costs)
+{
+  const double least = 1e-12;  // of the largest: less is rounding
+  m_columns = gradients.cols();
+  m_chosen_at = m_moved;
+  m_few_changes.resize(gradients.rows(), 0);
+  if (m_columns == 0) return;
+  const Vectors solved = solve(gradients);
+  costs.block_columns += static_cast<int>(m_columns);
+  const Eigen::MatrixXd products = real_products(gradients, solved);
+  const auto energies =
+      hermitian_eigen_decomposition<double>((products + products.transpose()) / 2);
+  const Eigen::Index size = (energies.values.array() > least * energies.values.maxCoeff()).count();
+  const Eigen::MatrixXd C = energies.vectors.rightCols(size) *
+                            energies.values.tail(size).cwiseSqrt().cwiseInverse().asDiagonal();
+  m_few_changes = real_combination(solved, C);
+  m_few_forces = real_combination(gradients, C);
+}
+
+// With the changes Y and the present gradients, S Y = X Y + G G^T Y; it is exact in what a large
+// weight multiplies, though Y is old.
+void Spin_preconditioner::adopt_few(const Vectors& gradients)
+{
+  const Eigen::MatrixXd& B = m_few_products = real_products(gradients, m_few_changes);
+  m_images = m_few_forces + real_combination(gradients, B);
+  m_inverse.compute(Eigen::MatrixXd::Identity(B.cols(), B.cols()) + B.transpose() * B);
+}
+
+// The shift is that of the smallest eigenvalue, which is gauge, and leaves enough digits.
+bool Spin_preconditioner::factorize(const Eigen::VectorXd& rho, Relaxed_costs& costs)
+{
+  const double least = 0.05, most_change = 4;
+  Eigen::VectorXd shift = least * m_system.unit() * m_system.areas();
+  for (const Spin_residual* residual : m_dense)
+    if (const Eigen::VectorXd s = residual->stiffness(); s.size() > 0) shift += s / m_weight;
+  const double ratio = shift.sum() / m_factored_stiffness;
+  const bool is_kept = m_system.changes() == m_factored_changes && m_moved < m_reuse &&
+                       ratio < most_change && ratio > 1 / most_change;
+  if (is_kept) return false;
+  m_system.set_potential(Curvature_potential::on_vertices(rho), shift, costs.seconds);
+  ++costs.factorizations;
+  m_moved = 0;
+  m_factored_stiffness = shift.sum();
+  m_factored_changes = m_system.changes();
+  return true;
+}
+
+auto Spin_preconditioner::solve(const Vectors& g) const -> Vectors
+{
+  Vectors y = m_system.precondition(g);
+  for (Eigen::Index k = 0; k < y.cols(); ++k)
+    y.col(k) = m_gauge.projected(m_lambda, y.col(k) / m_weight);
+  return y;
+}
+
+// What hardly moves the values, such as points of a round sphere along it, takes no long steps.
+auto Spin_preconditioner::correction(const Eigen::VectorXd& values) const -> Spins
+{
+  const double least = 1e-9;  // of the largest
+  Eigen::MatrixXd squares = m_few_products.transpose() * m_few_products;
+  squares.diagonal().array() += least * squares.diagonal().maxCoeff();
+  const Eigen::VectorXd c = squares.ldlt().solve(m_few_products.transpose() * values);
+  return real_combination(m_few_changes, c).col(0);
+}
+
+// S^-1 in the span of the changes, and X^-1 in what is orthogonal to it by S.
+auto Spin_preconditioner::apply(const Spins& g, Relaxed_costs& costs) const -> Spins
+{
+  ++costs.solves;
+  if (m_few_changes.cols() == 0) return solve(g).col(0);
+  const Eigen::VectorXd c = m_inverse.solve(real_products(m_few_changes, g).col(0));
+  const Spins rest = g - real_combination(m_images, c).col(0);
+  const Spins y = solve(rest).col(0);
+  const Eigen::VectorXd too_far = m_inverse.solve(real_products(m_images, y).col(0));
+  return y + real_combination(m_few_changes, c - too_far).col(0);
+}
+
+}  // namespace Conformal_geometry_processing::internal
