@@ -1,10 +1,14 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 // Tests include/Conformal_geometry_processing/spin/Relaxed_scales.h
+#include <Conformal_geometry_processing/measure/alignment.h>
 #include <Conformal_geometry_processing/spin/Relaxed_scales.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -51,6 +55,66 @@ TEST(Relaxed_scales, comes_up_to_the_bound_without_a_jump)
     EXPECT_NEAR(system.overlap(free.spins().lambda(), bounded.spins().lambda()), 1, 1e-5);
   }
   EXPECT_GT(last, .98);
+}
+
+/// a ball with a horn
+Mesh_view horn()
+{
+  return mapped(icosphere(4), [](const Eigen::Vector3d& p) {
+    return Eigen::Vector3d(p.x(), p.y() + 2 * std::pow((std::max)(p.y(), 0.), 8), p.z());
+  });
+}
+
+/// the factor of lengths at the tip, for a bump of rho there
+double size_of_tip(const Mesh_view& mesh, double amplitude)
+{
+  int tip = 0;
+  mesh.positions().row(1).maxCoeff(&tip);
+  const Eigen::Vector3d p = mesh.position(tip);
+  const auto rho = potential_on_vertices(mesh, [&](const Eigen::Vector3d& q) {
+    return amplitude * std::exp(-10 * (q - p).squaredNorm());
+  });
+  Dirac_system system(mesh);
+  const Scale_control control{2., {}, {}};
+  Relaxed_scales scales(system, rho.values, control);
+  scales.run();
+  return squared_norm(scales.spins().lambda()[tip]);
+}
+
+// Also where a horn cannot take the shape of rho.
+TEST(Relaxed_scales, lets_a_tip_grow_with_rho_and_shrink_against_it)
+{
+  const Mesh_view mesh = horn();
+  double last = 1;
+  for (const double amplitude : {.25, .5, 1., 2., 3.}) {
+    const double size = size_of_tip(mesh, amplitude);
+    EXPECT_GT(size, last) << amplitude;
+    last = size;
+  }
+  EXPECT_LT(size_of_tip(mesh, -1), 1);
+}
+
+/// where the bounded transformation takes the vertices
+Points transformed(const Mesh_view& mesh, const Eigen::VectorXd& rho)
+{
+  CGP::Spin_transformation_options options;
+  options.scales.bound = 1.5;
+  CGP::Spin_transformation transformation(mesh, options);
+  return transformation.transform(Curvature_potential::on_vertices(rho)).positions;
+}
+
+// On an irregular mesh, with the bound active.
+TEST(Relaxed_scales, do_not_see_constants_rotations_and_hardly_one_percent)
+{
+  const Mesh_view mesh = perturbed(ellipsoid(2), .05);
+  const Eigen::VectorXd rho = waves_on(mesh, 3), higher = rho.array() + 2;
+  const Points expected = transformed(mesh, rho);
+  const auto distance = [&](const Points& f) { return CGP::align(f, expected).rms; };
+  EXPECT_LT(distance(transformed(mesh, higher)), 1e-8);
+  const Eigen::Matrix3d turn =
+      Eigen::AngleAxisd(1.1, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
+  EXPECT_LT(distance(transformed({Points(turn * mesh.positions()), mesh.corners()}, rho)), 1e-8);
+  EXPECT_LT(distance(transformed(mesh, 1.01 * rho)), .01);
 }
 
 TEST(Relaxed_scales, is_cancelled_between_steps)

@@ -121,8 +121,9 @@ Spin_result Relaxed_positions::present()
   static_cast<Dirac_evidence::Seconds&>(r.seconds) = s.seconds;
   r.converged = s.converged && result.positions.allFinite();
   if (!system.is_closed())
-    r.boundary_fault = boundary_fault(
-        system.surface(), system.is_self_adjoint() || !system.directions() ? 0 : s.eigenvalue, r);
+    r.boundary_fault =
+        boundary_fault(system.surface(),
+                       system.is_self_adjoint() || !system.directions() ? 0 : s.dirac_residual, r);
   if (m_problem.scales.bound) r.scales = m_scales.scales();
   if (!m_closing) return result;
   r.period_defect = m_closing->period_defect(transformed_edges(system.surface(), s.lambda));

@@ -61,7 +61,9 @@ class Relaxed_scales {
 
   /// \brief goes all of the way, from the spins at the start.
   /// \param go_further called after each iteration, with the change of lambda in the last step as
-  /// the estimate \throw Solver_error if a factorization fails
+  /// the estimate
+  ///
+  /// \throw Solver_error if a factorization fails
   End run(const Go_further& go_further = Always_go_further(), const Ask& ask = {});
 
   /// \brief goes on from the present spins, as after residuals have changed a little.

@@ -114,8 +114,11 @@ Spin_result Spin_transformation::relaxed(const Curvature_potential& rho,
     const bool is_open = !(result.report.period_defect <= result.report.period_limit);
     if (is_open) periods->set_weight(period_weight *= 30);
     if (!is_open && !is_sheared(result.report)) break;
+    const double before = result.report.closure_residual;
     scales.stiffen(is_open ? 1 : 3, m_visits.guarded(go_further));
     result = surface();
+    const bool is_vain = !(result.report.closure_residual < .95 * before);  // slivers, say
+    if (!is_open && is_vain) break;
   }
   if (!result.report.cancelled) tell_shares(scales, wanted, control, result.report);
   internal::add_costs(result.report, take_unreported());
