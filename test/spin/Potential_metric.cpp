@@ -59,15 +59,13 @@ TEST(Potential_metric, approximates_integrals)
   }
 }
 
-// With weights that vanish, H is K.
+// With a weight that vanishes.
 TEST(Potential_metric, smooths)
 {
   const Mesh_view mesh = perturbed(icosphere(3), .03);
   const System system(mesh);
-  const CGP::Quaternion_vector<double> ones =
-      CGP::Quaternion_vector<double>::Constant(mesh.size_of_vertices(), {1, 0, 0, 0});
   Metric rough(system, 0), smooth(system, 1);
-  for (Metric* metric : {&rough, &smooth}) metric->couple(ones, {1e-14, 1e-14});
+  for (Metric* metric : {&rough, &smooth}) metric->couple(1e-14);
   const Eigen::VectorXd y = rough.areas().cwiseProduct(heights(mesh));
   const Eigen::VectorXd b = rough.areas().cwiseProduct(random_numbers(mesh.size_of_vertices(), 1));
   const Eigen::VectorXd d = smooth.solve_coupled(b), of_height = smooth.solve_coupled(y);

@@ -31,7 +31,7 @@ TEST(Relaxed_scales, keeps_to_the_bound)
   Relaxed_scales scales(system, waves_on(mesh, 3), control);
   EXPECT_EQ(scales.run(), End::within_bound);
   EXPECT_LE(scales.excess(), 1);
-  EXPECT_GE(scales.excess(), .98);
+  EXPECT_GE(scales.excess(), .99);
   EXPECT_LE(scales.spins().costs().factorizations, 5);
   EXPECT_LE(scales.spins().costs().solves, 100);
 }
@@ -103,17 +103,18 @@ Points transformed(const Mesh_view& mesh, const Eigen::VectorXd& rho)
   return transformation.transform(Curvature_potential::on_vertices(rho)).positions;
 }
 
-// On an irregular mesh, with the bound active.
+// On an irregular mesh, with the bound active. The preconditioner is in single precision, and
+// conjugate gradients stop early.
 TEST(Relaxed_scales, do_not_see_constants_rotations_and_hardly_one_percent)
 {
   const Mesh_view mesh = perturbed(ellipsoid(2), .05);
   const Eigen::VectorXd rho = waves_on(mesh, 3), higher = rho.array() + 2;
   const Points expected = transformed(mesh, rho);
   const auto distance = [&](const Points& f) { return CGP::align(f, expected).rms; };
-  EXPECT_LT(distance(transformed(mesh, higher)), 1e-8);
+  EXPECT_LT(distance(transformed(mesh, higher)), 2e-6);
   const Eigen::Matrix3d turn =
       Eigen::AngleAxisd(1.1, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
-  EXPECT_LT(distance(transformed({Points(turn * mesh.positions()), mesh.corners()}, rho)), 1e-8);
+  EXPECT_LT(distance(transformed({Points(turn * mesh.positions()), mesh.corners()}, rho)), 2e-6);
   EXPECT_LT(distance(transformed(mesh, 1.01 * rho)), .01);
 }
 

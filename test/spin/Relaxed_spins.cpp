@@ -122,10 +122,14 @@ TEST(Relaxed_spins, has_a_symmetric_and_positive_complement)
 {
   const Mesh_view closed = ellipsoid(2), disk = bounded_cap();
   Problem p(closed, waves_on(closed, 1), .7), free(disk, waves_on(disk, 1), .7),
+      sheets(closed, waves_on(closed, 1), 1e-9, exactly({50, 1e-9})),
+      vertices(closed, waves_on(closed, 1), 1e-9, exactly({1e-9, 50})),
       held(disk, waves_on(disk, 1), .7, {}, CGP::Boundary_condition::directions({1, 0, 0}));
   expect_positive(p);
   expect_positive(free);
   expect_positive(held);
+  expect_positive(sheets);
+  expect_positive(vertices);
 }
 
 // A right factor of unit length changes nothing but the factor.
@@ -154,28 +158,31 @@ TEST(Relaxed_spins, does_not_see_the_gauge)
   EXPECT_LT(norm(along), 1e-8 * p.system.areas().sum());
 }
 
-/// half the Hessian of Gauss and Newton on all unknowns, from derivatives of the terms alone
+/// half the Hessian of Gauss and Newton on all unknowns, from derivatives of the terms alone, with
+/// the bound of what rho' does to the misfit for that itself
 Eigen::MatrixXd dense_hessian(Problem& p)
 {
   const CGP::internal::Dirac_misfit::Geometry geometry(p.system.surface());
   const CGP::internal::Dirac_misfit linear(geometry, p.spins.weights(), p.spins.rho(),
                                            p.spins.lambda());
   const CGP::internal::Potential_metric metric(p.system, .1 / p.system.unit());
-  const int n = p.surface_size(), m = n;
-  const Eigen::VectorXd& a = metric.areas();
-  Eigen::MatrixXd A(4 * n + m, 4 * n + m);
+  const int n = p.surface_size();
+  const Eigen::VectorXd &a = metric.areas(), zero = Eigen::VectorXd::Zero(n);
+  const Spins nothing = Spins::Constant(linear.residual().size(), {});
+  Eigen::MatrixXd A(5 * n, 5 * n);
   p.scales.set_spins(p.spins.lambda());
-  for (int k = 0; k < A.cols(); ++k) {
+  for (int k = 0; k < 4 * n; ++k) {
     Spins y = Spins::Constant(n, {});
-    Eigen::VectorXd d = Eigen::VectorXd::Zero(m);
-    if (k < 4 * n)
-      CGP::components(y)(k % 4, k / 4) = 1;
-    else
-      d[k - 4 * n] = 1;
-    const Spins r = linear.apply(y) - linear.turn(d);
-    const Eigen::VectorXd Kd = metric.apply(d).col(0) - a * (a.dot(d) / a.sum());
+    CGP::components(y)(k % 4, k / 4) = 1;
+    const Spins r = linear.apply(y);
     A.col(k) =
-        joined(linear.adjoint(r) + p.scales.gradient(p.scales.change(y)), Kd - linear.turned(r));
+        joined(linear.adjoint(r, zero) + p.scales.gradient(p.scales.change(y)), -linear.turned(r));
+  }
+  for (int k = 0; k < n; ++k) {
+    const Eigen::VectorXd d = Eigen::VectorXd::Unit(n, k);
+    const Eigen::VectorXd Kd = metric.apply(d).col(0) - a * (a[k] / a.sum());
+    A.col(4 * n + k) =
+        joined(linear.adjoint(nothing, d), Kd + p.spins.weights().sum() * a.cwiseProduct(d));
   }
   return A;
 }

@@ -15,8 +15,9 @@ struct Index_range {
 
   bool contains(int i) const { return first <= i && i < last; }
 
-  /// whether it contains the number of a corner of the sheet
-  bool touches(const Sheet& sheet) const
+  /// whether it contains the number of a corner of the `Sheet`
+  template <class Triangle>
+  bool touches(const Triangle& sheet) const
   {
     return contains(sheet.corners[0]) || contains(sheet.corners[1]) || contains(sheet.corners[2]);
   }

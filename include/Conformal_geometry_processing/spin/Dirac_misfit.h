@@ -2,12 +2,12 @@
 #pragma once
 
 #include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
-#include <Conformal_geometry_processing/mesh/Sheet.h>
 #include <Conformal_geometry_processing/mesh/Surface_ref.h>
 #include <Conformal_geometry_processing/spin/Misfit_weights.h>
 
 #include <Eigen/Core>
 
+#include <array>
 #include <vector>
 
 namespace Conformal_geometry_processing::internal {
@@ -34,9 +34,16 @@ class Dirac_misfit {
  public:
   using Spins = Quaternion_vector<double>;
 
+  /// a `Sheet`, in as few numbers as the loops need
+  struct Triangle {
+    std::array<int, 3> corners;
+    double area, share;
+    std::array<Eigen::Vector3d, 2> half_edges;  ///< opposite the first two corners
+  };
+
   /// what does not depend on lambda and rho: the sheets, and M_V
   struct Geometry {
-    std::vector<Sheet> sheets;
+    std::vector<Triangle> sheets;
     Eigen::VectorXd areas;
 
     explicit Geometry(const Surface_ref& surface);
@@ -49,29 +56,27 @@ class Dirac_misfit {
 
   const Spins& residual() const { return m_residual; }  ///< r, in 1/length: sheets, then vertices
 
-  Spins apply(const Spins& y) const;             ///< A y
-  Spins adjoint(const Spins& z) const;           ///< A^H W z with the weights W, |V|
-  Spins turn(const Eigen::VectorXd& d) const;    ///< N d
-  Eigen::VectorXd turned(const Spins& z) const;  ///< N^T W z, |V|
-  double squared_norm(const Spins& z) const;     ///< <z, W z>
+  Spins apply(const Spins& y) const;  ///< A y
+  /// A^H W (z - N d) with the weights W, |V|
+  Spins adjoint(const Spins& z, const Eigen::VectorXd& d) const;
+  /// N^T W z, |V|. On every surface, N^T W N <= (the sum of the weights) M_V.
+  Eigen::VectorXd turned(const Spins& z) const;
+  double squared_norm(const Spins& z) const;  ///< <z, W z>
 
  private:
   int sheets() const { return static_cast<int>(m_geometry->sheets.size()); }
   template <class Visit>
   void for_each_owned_sheet(const Visit& visit) const;
-  double growth(const Sheet& sheet, int s, const Spins& y) const;
-  void image(const Spins& y, Spins& r) const;
+  double growth(int i, const Spins& y) const;
+  template <class Finish>
+  Spins image(const Spins& y, const Finish& finish) const;
 
   const Geometry* m_geometry;
   Misfit_weights m_weights;
   Eigen::VectorXd m_rho;
   Spins m_lambda;
-  Eigen::VectorXd m_sizes;  // |lambda|: sheets, then vertices
+  Eigen::VectorXd m_inverses;  // 1 / |lambda|: sheets, then vertices
   Spins m_residual;
 };
-
-/// \ingroup PkgSpin
-/// the mean of |lambda|^2 at the corners of a sheet
-double mean_squared_norm(const Sheet& sheet, const Quaternion_vector<double>& lambda);
 
 }  // namespace Conformal_geometry_processing::internal

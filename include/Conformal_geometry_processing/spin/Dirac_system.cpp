@@ -140,13 +140,13 @@ void internal::Dirac_system::factorize_for(const Curvature_potential& rho,
   seconds.factorization += watch.lap();
 }
 
-void internal::Dirac_system::set_potential(const Curvature_potential& rho,
-                                           const Eigen::VectorXd& shift,
-                                           internal::Dirac_evidence::Seconds& seconds)
+void internal::Dirac_system::factorize_for(const Curvature_potential& rho,
+                                           internal::Dirac_evidence::Seconds& seconds,
+                                           const Eigen::VectorXd& shift, Use use)
 {
   assemble(rho, seconds);
   internal::Stopwatch watch;
-  check("factorization", factorize(shift, Use::solution));
+  check("factorization", factorize(shift, use));
   seconds.factorization += watch.lap();
 }
 

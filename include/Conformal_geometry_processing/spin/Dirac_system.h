@@ -101,10 +101,18 @@ class Dirac_system {
     factorize_for(rho, seconds, least, Use::preconditioner);
   }
 
-  /// \brief assembles X for rho and factors it with a given shift of its diagonal, |V|.
+  /// \brief the same with a given shift of the diagonal, |V|.
   /// \throw Solver_error as above
   void set_potential(const Curvature_potential& rho, const Eigen::VectorXd& shift,
-                     Dirac_evidence::Seconds& seconds);
+                     Dirac_evidence::Seconds& seconds)
+  {
+    factorize_for(rho, seconds, shift, Use::solution);
+  }
+  void set_preconditioner(const Curvature_potential& rho, const Eigen::VectorXd& shift,
+                          Dirac_evidence::Seconds& seconds)
+  {
+    factorize_for(rho, seconds, shift, Use::preconditioner);
+  }
 
   /// the shift of the last `set_potential()` with a share, as a multiple of M_V
   double shift() const { return m_shift; }
@@ -178,6 +186,8 @@ class Dirac_system {
   void check(const char* step, Solver_status status) const;
   void factorize_for(const Curvature_potential& rho, Dirac_evidence::Seconds& seconds, double least,
                      Use use);
+  void factorize_for(const Curvature_potential& rho, Dirac_evidence::Seconds& seconds,
+                     const Eigen::VectorXd& shift, Use use);
   Solver_status factorize(const Eigen::VectorXd& shift, Use use);
 
   std::string m_function;

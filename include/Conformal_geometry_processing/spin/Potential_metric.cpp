@@ -3,48 +3,28 @@
 
 #include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/operators/cotan_laplacian.h>
-#include <Conformal_geometry_processing/operators/mass_matrices.h>
-#include <Conformal_geometry_processing/operators/sheet_loops.h>
 #include <Conformal_geometry_processing/operators/vertex_graph.h>
-#include <Conformal_geometry_processing/spin/Dirac_misfit.h>
 #include <Conformal_geometry_processing/spin/Dirac_system.h>
 
 #include <Eigen/Core>
 
-#include <cstddef>
-
 namespace Conformal_geometry_processing::internal {
 
 Potential_metric::Potential_metric(const Dirac_system& system, double s)
-    : m_surface(system.surface()),
-      m_areas(system.areas()),
+    : m_areas(system.areas()),
       m_matrix(system.matrix().shared_pattern()),
       m_coupled(system.solver().another<double>())
 {
-  assemble_cotan_laplacian(m_surface, s * cotan_weights(m_surface), m_matrix);
+  const Surface_ref& surface = system.surface();
+  assemble_cotan_laplacian(surface, s * cotan_weights(surface), m_matrix);
   for (int v = 0; v < m_matrix.size(); ++v)
     m_matrix.value(diagonal_position(m_matrix.pattern(), v)) += m_areas[v];
   check(m_coupled.analyze_like(m_matrix.pattern(), system.solver()));
 }
 
-void Potential_metric::couple(const Quaternion_vector<double>& lambda,
-                              const Misfit_weights& weights)
+void Potential_metric::couple(double w)
 {
-  Hermitian_sparse_matrix<double> H = m_matrix;
-  for_each_owned_range(H.size(), [&](const Index_range& own) {
-    for_each_sheet_at(own, m_surface, [&](const Sheet& sheet) {
-      const double c =
-          weights.sheets * sheet.share * sheet.area / (9 * mean_squared_norm(sheet, lambda));
-      const auto entry = [&](int i, int j) {
-        return c * dot(lambda[sheet.corners[static_cast<std::size_t>(i)]],
-                       lambda[sheet.corners[static_cast<std::size_t>(j)]]);
-      };
-      add_sheet(sheet, own, entry, H);
-    });
-  });
-  for (int v = 0; v < H.size(); ++v)
-    H.value(diagonal_position(H.pattern(), v)) += weights.vertices * m_areas[v];
-  check(m_coupled.factorize(H, {}));
+  check(m_coupled.factorize(m_matrix, w * m_areas));
 }
 
 Eigen::VectorXd Potential_metric::solve_coupled(const Eigen::VectorXd& b) const

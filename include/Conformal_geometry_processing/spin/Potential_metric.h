@@ -2,12 +2,9 @@
 #pragma once
 
 #include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
-#include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
 #include <Conformal_geometry_processing/linear_algebra/dense/Solver_status.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Solver_ref.h>
-#include <Conformal_geometry_processing/mesh/Surface_ref.h>
 #include <Conformal_geometry_processing/spin/Dirac_system.h>
-#include <Conformal_geometry_processing/spin/Misfit_weights.h>
 
 #include <Eigen/Core>
 
@@ -18,21 +15,19 @@ namespace Conformal_geometry_processing::internal {
 ///
 ///     integral a b + s <grad a, grad b>,
 ///
-/// and the solution of H d = b, with what changes of rho do to the Dirac equation of some spins
-/// added to K. M are the areas, and L is the cotan Laplacian, which annihilates constants.
-///
-/// `couple()` costs the factorization of one scalar matrix.
+/// and the solution of (K + w M) d = b. M are the areas, and L is the cotan Laplacian, which
+/// annihilates constants.
 class Potential_metric {
  public:
   /// \param system whose surface is meant, and whose analysis is shared
   /// \param s >= 0, in the unit of area of the system
   Potential_metric(const Dirac_system& system, double s);
 
-  /// \brief factors H = K + N^T W N with N and W of a `Dirac_misfit`, for `solve_coupled()`.
+  /// \brief factors K + w M, for `solve_coupled()`.
   /// \throw Solver_error if the factorization fails
-  void couple(const Quaternion_vector<double>& lambda, const Misfit_weights& weights);
+  void couple(double w);
 
-  /// \brief H^-1 b.
+  /// \brief (K + w M)^-1 b.
   /// \throw Solver_error if the solver fails
   Eigen::VectorXd solve_coupled(const Eigen::VectorXd& b) const;
 
@@ -48,10 +43,9 @@ class Potential_metric {
  private:
   static void check(Solver_status status);
 
-  Surface_ref m_surface;
   Eigen::VectorXd m_areas;
   Hermitian_sparse_matrix<double> m_matrix;  // K
-  Solver_ref<double> m_coupled;              // of H
+  Solver_ref<double> m_coupled;              // of K + w M
 };
 
 }  // namespace Conformal_geometry_processing::internal

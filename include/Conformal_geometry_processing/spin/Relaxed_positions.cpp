@@ -16,7 +16,7 @@ namespace Conformal_geometry_processing::internal {
 constexpr double met = 1e-9;            // of the distances, by R
 constexpr double less_curved = 10;      // the misfit of sheets, by the default, which asks for less
                                         // curvature: with no rho wanted, for edges that close up
-constexpr double stiffness = 30;        // of the misfit, by the default: large distances would be
+constexpr double stiffness = 60;        // of the misfit, by the default: large distances would be
                                         // met by shear, before rho' grows from nothing
 constexpr double largest_weight = 1e6;  // of distances by R: leaves little to `meet_few()`, and
                                         // steps need not follow the curve of met targets

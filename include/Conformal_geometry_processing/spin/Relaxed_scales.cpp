@@ -6,6 +6,8 @@
 
 #include <Eigen/Core>
 
+#include <boost/math/tools/toms748_solve.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -36,49 +38,89 @@ Relaxed_scales::Relaxed_scales(Dirac_system& system, const Eigen::VectorXd& rho,
       m_spins(system, m_rho, with_scales(std::move(others), m_scales, is_bounded()), options.spins)
 {}
 
-auto Relaxed_scales::step(double share, const Go_further& go_further) -> End
+/// a zero of f between 0 and an end, or the end if there is none
+template <class Function>
+double root_beyond(const Function& f, double at_zero, double end)
 {
-  m_scales.set_weight(m_weight * m_system.unit());
+  const double at_end = f(end);
+  if (at_zero * at_end >= 0) return end;
+  const auto is_close = [](double a, double b) { return std::abs(b - a) < 1e-3; };
+  boost::uintmax_t most = 8;  // evaluations
+  const auto [a, b] =
+      end > 0 ? boost::math::tools::toms748_solve(f, 0., end, at_zero, at_end, is_close, most)
+              : boost::math::tools::toms748_solve(f, end, 0., at_end, at_zero, is_close, most);
+  return std::abs(f(a)) < std::abs(f(b)) ? a : b;
+}
+
+void Relaxed_scales::set_weight(double weight)
+{
+  m_weight = weight;
+  m_scales.set_weight(weight * m_system.unit());
+}
+
+double Relaxed_scales::excess_of(const Relaxed_spins::Spins& lambda) const
+{
+  return measured_scales(lambda, m_system.areas(), m_control).excess();
+}
+
+// At the spins where a step begins; none where the bound is far.
+Relaxed_spins::Unknown Relaxed_scales::log_weight()
+{
+  const double far = .8;
+  if (!is_bounded() || (m_weight <= m_options.least_weight && m_excess < far)) return {};
+  m_scales.set_spins(m_spins.lambda());
+  return {
+      -1. * m_scales.gradient(m_scales.values()), m_response,
+      [this](const auto& there, const auto& response) { return place_weight(there, response); }};
+}
+
+// The change of log w with which lengths are just within the bound.
+double Relaxed_scales::place_weight(const Relaxed_spins::Spins& there,
+                                    const Relaxed_spins::Spins& response)
+{
+  const double aim = 1 - m_options.closeness / 2, near = m_options.closeness / 8;
+  const double most = std::log(4.), trusted = 1;
+  const auto level = [&](double t) {
+    return std::log((std::max)(excess_of(there + t * response), .1) / aim);
+  };
+  const double least = (std::max)(std::log(m_options.least_weight / m_weight), -most);
+  const double here = level(0);
+  const double t = std::abs(here) < near ? 0 : root_beyond(level, here, here > 0 ? most : least);
+  m_response = std::abs(t) < trusted ? response : Relaxed_spins::Spins();
+  set_weight(m_weight * std::exp(t));
+  return t;
+}
+
+auto Relaxed_scales::step(double share, const Go_further& go_further,
+                          const Relaxed_spins::Unknown& unknown) -> End
+{
   m_spins.want(share * m_rho);
-  const Relaxed_spins::Progress progress = m_spins.advance([&] {
-    return go_further({++m_iterations, m_excess, m_moved});
-  });
+  const Relaxed_spins::Progress progress = m_spins.advance(
+      [&] {
+        return go_further({++m_iterations, m_excess, m_moved});
+      },
+      unknown);
   if (progress.cancelled) return End::cancelled;
+  if (progress.length < 1) m_response.resize(0);  // it may be what leads astray
   ++m_steps;
   m_moved = progress.moved;
   m_way += m_moved;
   m_gain = (progress.before - progress.after) / progress.after;
-  m_excess = measured_scales(m_spins.lambda(), m_system.areas(), m_control).excess();
+  m_excess = excess_of(m_spins.lambda());
   return progress.length > 0 ? End::settled : End::no_descent;
 }
 
 // Without a weight, the first part tells what all of it would do.
-void Relaxed_scales::choose_weight()
+void Relaxed_scales::guess_weight()
 {
   const double expected = m_options.stages * m_excess, slack = .9;
-  if (expected > slack) m_weight = (std::min)(.035 * std::pow(expected, 2.25), 30.);
-}
-
-// The excess falls like a power of w that is not known, and follows w a step late, so that secants
-// through two steps lead astray: changes become smaller where the bound is passed, and larger where
-// it is not.
-void Relaxed_scales::change_weight()
-{
-  const double aim = 1 - m_options.closeness / 2;
-  const double level = std::log((std::max)(m_excess, .1) / aim);
-  if (level * m_last_level < 0)
-    m_rate = (std::max)(1.5 * m_rate, -1.5);
-  else if (m_last_level != 0 && m_moved < m_options.settled)
-    m_rate = (std::min)(.7 * m_rate, -.05);
-  m_last_level = level;
-  m_weight *= std::exp(std::clamp(-level / m_rate, std::log(1. / 6), std::log(4.)));
-  m_weight = (std::max)(m_weight, m_options.least_weight);
+  if (expected > slack) set_weight((std::min)(.035 * std::pow(expected, 2.25), 30.));
 }
 
 auto Relaxed_scales::run(const Go_further& go_further, const Ask& ask) -> End
 {
   m_best.reset();
-  m_weight = is_bounded() ? m_options.least_weight : 0;
+  set_weight(is_bounded() ? m_options.least_weight : 0);
   m_way = 0;
   m_steps = 0;
   m_spins.restart(m_spins.start(), m_rho / m_options.stages);
@@ -95,6 +137,7 @@ auto Relaxed_scales::stiffen(double factor, const Go_further& go_further) -> End
 
 auto Relaxed_scales::go_on(const Go_further& go_further) -> End
 {
+  if (is_bounded()) set_weight((std::max)(m_weight, m_options.least_weight));
   m_best.reset();
   m_steps = 0;
   return m_end = settle(go_further);
@@ -107,7 +150,7 @@ auto Relaxed_scales::go_up(const Go_further& go_further, const Ask& ask) -> End
     if (ask) ask(share);
     if (i == m_options.stages) return End::settled;  // `settle()` makes the last ones
     if (const End end = step(share, go_further); end == End::cancelled) return end;
-    if (i == 1 && is_bounded()) choose_weight();
+    if (i == 1 && is_bounded()) guess_weight();
   }
   return End::settled;
 }
@@ -115,21 +158,19 @@ auto Relaxed_scales::go_up(const Go_further& go_further, const Ask& ask) -> End
 auto Relaxed_scales::settle(const Go_further& go_further) -> End
 {
   m_spins.set_tolerance(m_options.last_tolerance);
-  m_last_level = 0;
+  m_response.resize(0);
   while (m_steps < m_options.max_steps) {
-    const End end = step(1, go_further);
+    const End end = step(1, go_further, log_weight());
     if (end == End::cancelled) return end;
     const bool is_met = m_options.is_met();
     if (is_met) keep_if_within();
     const bool is_settled =
         (is_met && m_gain < m_options.least_gain && m_moved < m_options.settled * m_way) ||
         end == End::no_descent;
-    if (is_settled) m_spins.set_tolerance(m_options.settled_tolerance);
     const bool is_slack = !is_bounded() || (m_excess < 1 && m_weight <= m_options.least_weight);
     if (is_settled && is_slack) return End::settled;
     if (is_settled && m_excess <= 1 && m_excess >= 1 - m_options.closeness)
       return End::within_bound;
-    if (is_bounded()) change_weight();
   }
   take_best();
   return End::too_many_steps;
@@ -148,13 +189,13 @@ void Relaxed_scales::take_best()
 void Relaxed_scales::meet_few(bool is_anew)
 {
   m_spins.meet_few(is_anew);
-  m_excess = measured_scales(m_spins.lambda(), m_system.areas(), m_control).excess();
+  m_excess = excess_of(m_spins.lambda());
 }
 
 void Relaxed_scales::restart(const State& state)
 {
   m_spins.restart(state.lambda, state.rho);
-  m_weight = state.weight;
+  set_weight(state.weight);
   m_excess = state.excess;
 }
 

@@ -22,11 +22,10 @@ struct Relaxed_scales_options {
   int stages = 3;
   int max_steps = 16;
   double least_weight = 0.01;  ///< w in 1 / R^2 that has no effect
-  double closeness = 0.012;    ///< of the largest log factor to that of the bound, relative
+  double closeness = 0.007;    ///< of the largest log factor to that of the bound, relative
   double settled = 0.1;        ///< change of lambda by a step, relative to all of its way
   double least_gain = 0.02;    ///< of a step, relative to the sum of the terms
-  double last_tolerance = .1;  ///< of conjugate gradients, with all of rho
-  double settled_tolerance = .5;
+  double last_tolerance = .2;  ///< of conjugate gradients, with all of rho
   /// asked after each step, and may change weights of other residuals: whether these are met, as
   /// far as they have to be
   std::function<bool()> is_met = [] { return true; };
@@ -98,11 +97,14 @@ class Relaxed_scales {
   int steps() const { return m_steps; }
 
  private:
-  End step(double share, const Go_further& go_further);
+  End step(double share, const Go_further& go_further, const Relaxed_spins::Unknown& unknown = {});
   End go_up(const Go_further& go_further, const Ask& ask);
   End settle(const Go_further& go_further);
-  void choose_weight();
-  void change_weight();
+  void guess_weight();
+  void set_weight(double weight);
+  Relaxed_spins::Unknown log_weight();
+  double place_weight(const Relaxed_spins::Spins& there, const Relaxed_spins::Spins& response);
+  double excess_of(const Relaxed_spins::Spins& lambda) const;
   void keep_if_within();
   void take_best();
   bool is_bounded() const { return m_control.bound.has_value(); }
@@ -116,8 +118,7 @@ class Relaxed_scales {
   End m_end = End::settled;
   std::optional<State> m_best;  // the last one within the bound
   double m_weight = 0, m_excess = 0;
-  double m_last_level = 0;  // log of the excess, relative to what is aimed at
-  double m_rate = -.5;      // d log excess / d log weight, as far as changes of w trust in it
+  Relaxed_spins::Spins m_response;            // of the spins to log w, or empty
   double m_moved = 0, m_way = 0, m_gain = 0;  // of lambda in the last step and all, of the sum
   int m_steps = 0, m_iterations = 0;
 };

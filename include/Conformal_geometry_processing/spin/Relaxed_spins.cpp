@@ -31,7 +31,7 @@ double default_vertex_weight(const Surface_ref& surface)
     area += sheet.share * sheet.area;
     sum += sheet.share * sheet.area * std::sqrt(4 / std::sqrt(3.) * sheet.area);
   }
-  return 3 * std::sqrt(area / (4 * pi)) / (sum / area);
+  return 1.5 * std::sqrt(area / (4 * pi)) / (sum / area);
 }
 
 Misfit_weights completed(Misfit_weights weights, const Surface_ref& surface)
@@ -65,7 +65,9 @@ Relaxed_spins::Relaxed_spins(Dirac_system& system, Eigen::VectorXd rho, Spin_res
       m_wanted(std::move(rho)),
       m_lambda(start()),
       m_rho(Eigen::VectorXd::Zero(m_wanted.size()))
-{}
+{
+  couple();
+}
 
 auto Relaxed_spins::start() const -> Spins
 {
@@ -87,6 +89,15 @@ void Relaxed_spins::stiffen(double factor)
   m_weights.vertices *= factor;
   m_preconditioner.set_weight(m_weights.sum());
   if (m_nearness) m_nearness->scale(factor);
+  couple();
+}
+
+void Relaxed_spins::couple()
+{
+  m_metric.couple(m_weights.sum());
+  ++m_costs.scalar_factorizations;
+  if (m_constants_are_free) m_constants = m_metric.solve_coupled(m_metric.areas());
+  ++m_costs.scalar_solves;
 }
 
 Dirac_misfit Relaxed_spins::misfit(const Spins& lambda, const Eigen::VectorXd& rho) const
@@ -116,7 +127,7 @@ auto Relaxed_spins::gradient() -> Step
   const Dirac_misfit here = misfit(m_lambda, m_rho);
   const Spins r = here.residual();
   Step g;
-  g.spins = here.adjoint(r);
+  g.spins = here.adjoint(r, Eigen::VectorXd::Zero(m_rho.size()));
   g.potential = metric_product(m_rho - m_wanted) - here.turned(r);
   for (Spin_residual* residual : m_residuals) {
     residual->set_spins(m_lambda);
@@ -129,10 +140,6 @@ void Relaxed_spins::linearize()
 {
   m_linear.emplace(misfit(m_lambda, m_rho));
   for (Spin_residual* residual : m_residuals) residual->set_spins(m_lambda);
-  m_metric.couple(m_lambda, m_weights);
-  ++m_costs.scalar_factorizations;
-  if (m_constants_are_free) m_constants = m_metric.solve_coupled(m_metric.areas());
-  ++m_costs.scalar_solves;
   m_preconditioner.update(m_lambda, m_rho, m_costs);
 }
 
@@ -155,38 +162,53 @@ auto Relaxed_spins::residual_product(const Spins& y) const -> Spins
 
 auto Relaxed_spins::schur_product(const Spins& y) -> Spins
 {
-  Spins z = m_linear->apply(y);
-  z -= m_linear->turn(solve_potential(m_linear->turned(z)));
-  return m_linear->adjoint(z) + residual_product(y);
+  const Spins z = m_linear->apply(y);
+  return m_linear->adjoint(z, solve_potential(m_linear->turned(z))) + residual_product(y);
 }
 
-auto Relaxed_spins::solve_schur(const Spins& b, const std::function<bool()>& go_further) -> Spins
+auto Relaxed_spins::solve_schur(Vectors b, const std::function<bool()>& go_further) -> Vectors
 {
-  using Vectors = Block<Quaternion<double>>;
   const auto product = [&](const Vectors& y) -> Vectors {
-    return m_gauge.projected_gradient(m_lambda, schur_product(y.col(0)));
+    Vectors z(y.rows(), y.cols());
+    for (Eigen::Index k = 0; k < y.cols(); ++k)
+      z.col(k) = m_gauge.projected_gradient(m_lambda, schur_product(y.col(k)));
+    return z;
   };
   const auto precondition = [&](const Vectors& g) -> Vectors {
-    return m_preconditioner.apply(g.col(0), m_costs);
+    return m_preconditioner.apply(g, m_costs);
   };
   Conjugate_gradients_options options;
   options.tolerance = m_options.tolerance;
   options.max_iterations = m_options.max_iterations;
+  options.leading_columns = 1;
   options.go_further = go_further;
+  for (Eigen::Index k = 0; k < b.cols(); ++k)
+    b.col(k) = m_gauge.projected_gradient(m_lambda, b.col(k));
   Vectors x;
-  const Vectors right = m_gauge.projected_gradient(m_lambda, b);
-  m_iterations = conjugate_gradients(product, precondition, right, x, options).iterations;
-  return x.col(0);
+  m_iterations = conjugate_gradients(product, precondition, b, x, options).iterations;
+  return x;
 }
 
-auto Relaxed_spins::step(const std::function<bool()>& go_further) -> Step
+auto Relaxed_spins::step(const Unknown& unknown, const std::function<bool()>& go_further) -> Step
 {
   const Step g = gradient();
-  const Spins coupling = m_linear->adjoint(m_linear->turn(solve_potential(g.potential)));
+  const Spins nothing = Spins::Constant(m_linear->residual().size(), {});
+  const bool asks = unknown.choose && unknown.response.size() == 0;
+  Vectors forces(m_lambda.size(), asks ? 2 : 1);
+  forces.col(0) = m_linear->adjoint(nothing, solve_potential(g.potential)) - g.spins;
+  if (asks) forces.col(1) = unknown.force;
+  const Vectors changes = solve_schur(std::move(forces), go_further);
   Step s;
-  s.spins = solve_schur(-1. * (g.spins + coupling), go_further);
+  s.spins = changes.col(0);
+  double t = 0;
+  if (unknown.choose) {
+    const Spins response = asks ? Spins(changes.col(1)) : unknown.response;
+    t = unknown.choose(m_lambda + s.spins, response);
+    s.spins += t * response;
+  }
   s.potential = solve_potential(m_linear->turned(m_linear->apply(s.spins)) - g.potential);
   s.slope = inner_product(g.spins, s.spins).w + g.potential.dot(s.potential);
+  if (t != 0) s.slope -= std::expm1(t) * inner_product(unknown.force, s.spins).w;
   return s;
 }
 
@@ -198,12 +220,13 @@ bool Relaxed_spins::is_far_from_zero(const Spins& lambda) const
   return true;
 }
 
-auto Relaxed_spins::advance(const std::function<bool()>& go_further) -> Progress
+auto Relaxed_spins::advance(const std::function<bool()>& go_further, const Unknown& unknown)
+    -> Progress
 {
   const double shortest = 1. / 256, decrease = 1e-4;
   Progress p;
   linearize();
-  const Step s = step([&] { return !(p.cancelled = go_further && !go_further()); });
+  const Step s = step(unknown, [&] { return !(p.cancelled = go_further && !go_further()); });
   if (p.cancelled) return p;
   p.iterations = m_iterations;
   p.before = p.after = terms().sum();

@@ -34,13 +34,15 @@ namespace Conformal_geometry_processing::internal {
 /// there is a small weight of lambda - 1.
 ///
 /// Each step solves the linear least-squares problem of the derivatives (Gauss-Newton): changes d
-/// of rho' are eliminated with the scalar H = K + N^T W N (`Potential_metric::couple()`), and the
-/// Schur complement for changes of lambda, which is linear over the real numbers only, is solved by
-/// conjugate gradients with a `Spin_preconditioner`. Right factors of lambda are left out, see
-/// `Spin_gauge`.
+/// of rho' are eliminated with the scalar H = K + (the sum of the weights) M, a bound of K + N^T W
+/// N that is nearly sharp, since the weight of vertices is large, and does not depend on lambda;
+/// the Schur complement for changes of lambda, which is linear over the real numbers only, is
+/// solved by conjugate gradients with a `Spin_preconditioner`. Right factors of lambda are left
+/// out, see `Spin_gauge`.
 class Relaxed_spins {
  public:
   using Spins = Quaternion_vector<double>;
+  using Vectors = Block<Quaternion<double>>;
 
   struct Options {
     Misfit_weights weights;
@@ -59,6 +61,15 @@ class Relaxed_spins {
     Spins spins;
     Eigen::VectorXd potential;
     double slope = 0;
+  };
+
+  /// an unknown t that changes half the gradient by -t force, to first order, as the log of a
+  /// weight does
+  struct Unknown {
+    Spins force;
+    Spins response;  ///< of the spins to the force, if that is known well enough, or empty
+    /// of the spins that a step leads to, and how they change with t: sets t, and returns it
+    std::function<double(const Spins& there, const Spins& response)> choose;
   };
 
   struct Progress {
@@ -112,13 +123,14 @@ class Relaxed_spins {
   void linearize();
 
   /// the least-squares step. \pre `linearize()` was called last
-  Step step(const std::function<bool()>& go_further = {});
+  Step step(const Unknown& unknown = {}, const std::function<bool()>& go_further = {});
 
   /// \brief takes a step, or a part of it: never one that makes the sum larger, or brings a spin
   /// near zero.
   /// \param go_further called after each iteration of conjugate gradients; if it returns false, no
   /// step is made
-  Progress advance(const std::function<bool()>& go_further = {});
+  /// \param unknown one that is found with it
+  Progress advance(const std::function<bool()>& go_further = {}, const Unknown& unknown = {});
 
   /// \brief takes a step of Newton's method for the few residuals alone, by the least change of
   /// lambda, as after `advance()` with a weight of them that leaves a little of them.
@@ -130,9 +142,10 @@ class Relaxed_spins {
   Dirac_misfit misfit(const Spins& lambda, const Eigen::VectorXd& rho) const;
   Terms terms_at(const Spins& lambda, const Eigen::VectorXd& rho) const;
   Eigen::VectorXd metric_product(const Eigen::VectorXd& d) const;
+  void couple();
   Eigen::VectorXd solve_potential(const Eigen::VectorXd& b);
   Spins residual_product(const Spins& y) const;
-  Spins solve_schur(const Spins& b, const std::function<bool()>& go_further);
+  Vectors solve_schur(Vectors b, const std::function<bool()>& go_further);
   bool is_far_from_zero(const Spins& lambda) const;
 
   Dirac_system& m_system;
@@ -155,9 +168,9 @@ class Relaxed_spins {
 };
 
 /// \ingroup PkgSpin
-/// \brief 3 R / h with h the mean over the area of the edges of equilateral triangles of the areas
-/// of the sheets, which slivers do not change: such that the misfit of the result falls like h
-/// under refinement, and the iterations of a step grow like the root of 1 / h.
+/// \brief 1.5 R / h with h the mean over the area of the edges of equilateral triangles of the
+/// areas of the sheets, which slivers do not change: such that the misfit of the result falls like
+/// h under refinement, and the iterations of a step grow like the root of 1 / h.
 double default_vertex_weight(const Surface_ref& surface);
 
 }  // namespace Conformal_geometry_processing::internal

@@ -92,7 +92,7 @@ bool Spin_preconditioner::factorize(const Eigen::VectorXd& rho, Relaxed_costs& c
   const bool is_kept = m_system.changes() == m_factored_changes && m_moved < m_reuse &&
                        ratio < most_change && ratio > 1 / most_change;
   if (is_kept) return false;
-  m_system.set_potential(Curvature_potential::on_vertices(rho), shift, costs.seconds);
+  m_system.set_preconditioner(Curvature_potential::on_vertices(rho), shift, costs.seconds);
   ++costs.factorizations;
   m_moved = 0;
   m_factored_stiffness = shift.sum();
@@ -119,15 +119,14 @@ auto Spin_preconditioner::correction(const Eigen::VectorXd& values) const -> Spi
 }
 
 // S^-1 in the span of the changes, and X^-1 in what is orthogonal to it by S.
-auto Spin_preconditioner::apply(const Spins& g, Relaxed_costs& costs) const -> Spins
+auto Spin_preconditioner::apply(const Vectors& g, Relaxed_costs& costs) const -> Vectors
 {
-  ++costs.solves;
-  if (m_few_changes.cols() == 0) return solve(g).col(0);
-  const Eigen::VectorXd c = m_inverse.solve(real_products(m_few_changes, g).col(0));
-  const Spins rest = g - real_combination(m_images, c).col(0);
-  const Spins y = solve(rest).col(0);
-  const Eigen::VectorXd too_far = m_inverse.solve(real_products(m_images, y).col(0));
-  return y + real_combination(m_few_changes, c - too_far).col(0);
+  costs.solves += static_cast<int>(g.cols());
+  if (m_few_changes.cols() == 0) return solve(g);
+  const Eigen::MatrixXd c = m_inverse.solve(real_products(m_few_changes, g));
+  const Vectors y = solve(g - real_combination(m_images, c));
+  const Eigen::MatrixXd too_far = m_inverse.solve(real_products(m_images, y));
+  return y + real_combination(m_few_changes, c - too_far);
 }
 
 }  // namespace Conformal_geometry_processing::internal

@@ -53,8 +53,8 @@ class Spin_preconditioner {
   /// \throw Solver_error if the factorization fails
   void update(const Spins& lambda, const Eigen::VectorXd& rho, Relaxed_costs& costs);
 
-  /// of a gradient, to a change in the gauge of lambda
-  Spins apply(const Spins& g, Relaxed_costs& costs) const;
+  /// of gradients, to changes in the gauge of lambda
+  Vectors apply(const Vectors& g, Relaxed_costs& costs) const;
 
   /// \brief the change of lambda that takes off so much of the values of the few residuals, at the
   /// least cost of others.

@@ -19,6 +19,7 @@ namespace internal {
 struct Conjugate_gradients_options {
   double tolerance = 1e-9;   ///< of the error relative to the solution, in the energy norm
   int max_iterations = 100;  ///< each costs one K and one T
+  int leading_columns = 0;   ///< the run ends when these are close, the others as they are; 0: all
   std::function<bool()> go_further = {};  ///< called after each iteration: false ends the run
 };
 
@@ -38,10 +39,12 @@ class Conjugate_gradients {
   using FT = typename Scalar_traits<Scalar>::FT;
   using Vectors = Block<Scalar>;
 
-  Conjugate_gradients(const K& apply_k, const T& precondition, const Vectors& b, FT tolerance)
+  Conjugate_gradients(const K& apply_k, const T& precondition, const Vectors& b,
+                      const Conjugate_gradients_options& options)
       : m_apply_k(apply_k),
         m_precondition(precondition),
-        m_tolerance(tolerance),
+        m_tolerance(static_cast<FT>(options.tolerance)),
+        m_leading(options.leading_columns > 0 ? options.leading_columns : b.cols()),
         m_x(Vectors::Constant(b.rows(), b.cols(), Scalar{})),
         m_r(b),
         m_sizes(products(m_r, m_r))
@@ -101,7 +104,10 @@ class Conjugate_gradients {
   }
 
   bool is_open(Eigen::Index c) const { return m_result.estimates[c] > m_tolerance; }
-  bool is_close() const { return (m_result.estimates.array() <= m_tolerance).all(); }
+  bool is_close() const
+  {
+    return (m_result.estimates.head(m_leading).array() <= m_tolerance).all();
+  }
   bool is_over() const { return m_failed || is_close(); }
 
   bool require_positive(FT curvature)
@@ -128,6 +134,7 @@ class Conjugate_gradients {
   const K& m_apply_k;
   const T& m_precondition;
   FT m_tolerance;
+  Eigen::Index m_leading;
   Vectors m_x, m_r, m_p;
   Vectors m_image;                      // K p, then T r
   Vector<FT> m_sizes;                   // r^H r
@@ -157,10 +164,8 @@ internal::Conjugate_gradients_result<typename internal::Scalar_traits<Scalar>::F
 conjugate_gradients(const K& apply_k, const T& precondition, const Block<Scalar>& b,
                     Block<Scalar>& x, const internal::Conjugate_gradients_options& options = {})
 {
-  using FT = typename internal::Scalar_traits<Scalar>::FT;
   const internal::Thread_team team;
-  internal::Conjugate_gradients<Scalar, K, T> run(apply_k, precondition, b,
-                                                  static_cast<FT>(options.tolerance));
+  internal::Conjugate_gradients<Scalar, K, T> run(apply_k, precondition, b, options);
   for (int i = 0; i < options.max_iterations && run.step(); ++i) {
     if (options.go_further && !options.go_further()) break;
     run.turn();
