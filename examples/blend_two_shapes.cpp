@@ -19,6 +19,7 @@
 #include <fstream>
 #include <functional>
 #include <iostream>
+#include <optional>
 
 namespace CGP = Conformal_geometry_processing;
 using Point = CGAL::Simple_cartesian<double>::Point_3;
@@ -29,7 +30,8 @@ Mesh shape(Mesh mesh, const std::function<double(const Point&)>& change)
 {
   auto rho = mesh.add_property_map<Mesh::Vertex_index, double>("v:rho").first;
   for (auto v : vertices(mesh)) rho[v] = change(mesh.point(v));
-  if (!CGP::spin_transform(mesh, rho)) throw CGP::Solver_error("blend_two_shapes", "no shape");
+  if (!CGP::spin_transform(mesh, rho, CGP::parameters::scale_bound(std::nullopt)))
+    throw CGP::Solver_error("blend_two_shapes", "no shape");
   return mesh;
 }
 
@@ -54,7 +56,9 @@ int main(int argc, char* argv[])
         CGP::curvature_difference(view(mesh).view(), view(lobes).view().positions());
     auto rho = mesh.property_map<Mesh::Vertex_index, double>("v:rho").first;
     for (auto v : vertices(mesh)) rho[v] = t * difference.values[Eigen::Index(v.idx())];
-    const CGP::Spin_report report = CGP::spin_transform(mesh, rho);
+    // no bound on lengths: they are those of the other shape
+    const CGP::Spin_report report =
+        CGP::spin_transform(mesh, rho, CGP::parameters::scale_bound(std::nullopt));
     std::cout << report;
     //! [blend]
     if (!report) return EXIT_FAILURE;

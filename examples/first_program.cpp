@@ -32,7 +32,7 @@ try {
   }
 
   // moves vertices; no length changes by more than a factor of 2
-  const auto report = CGP::spin_transform(mesh, rho, CGP::parameters::scale_bound(2));
+  const auto report = CGP::spin_transform(mesh, rho);
   std::cout << report;  // the certificate
   return report && CGAL::IO::write_polygon_mesh(argv[2], mesh) ? 0 : 1;
 } catch (const std::exception& error) {  // names the first face that is no triangle, ...

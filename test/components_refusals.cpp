@@ -184,8 +184,8 @@ TEST_F(Components_that_fail, to_converge_leave_the_others_as_they_were_too)
   const Function rho_of_sphere = [this](Vertex v) {
     return before.position(static_cast<int>(v)).z() > 4 ? 0 : 3 * rho(v);
   };
-  const auto reports =
-      CGP::spin_transform_components(mesh, map_of(rho_of_sphere), params::number_of_iterations(1u));
+  const auto reports = CGP::spin_transform_components(mesh, map_of(rho_of_sphere),
+                                                      unbounded().number_of_iterations(1u));
   EXPECT_FALSE(reports);
   ASSERT_EQ(reports.components.size(), 2u);
   EXPECT_FALSE(reports.components[0].report);

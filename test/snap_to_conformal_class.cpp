@@ -85,7 +85,7 @@ void expect_exact_spin_transform(const Mesh_view& reference)
                                           double>([&](auto v) {
           return .5 * std::sin(3 * CGAL::to_double(get(a.reference_points, v).y()));
         });
-    const auto np = params::exact_conformal_class(true).scale_bound(2);
+    const auto np = params::exact_conformal_class(true);
     EXPECT_TRUE(by_components ? bool(CGP::spin_transform_components(a.mesh, rho, np))
                               : bool(CGP::spin_transform(a.mesh, rho, np)));
     EXPECT_LT(a.change(), 1e-10);

@@ -30,7 +30,7 @@ class Spin_transform : public testing::Test {
   {
     Surface copy = mesh;
     auto lambda = copy.add_property_map<Vertex, Q>("lambda").first;
-    ASSERT_TRUE(CGP::spin_transform(copy, rho, params::vertex_spin_map(lambda)));
+    ASSERT_TRUE(CGP::spin_transform(copy, rho, unbounded().vertex_spin_map(lambda)));
     const auto written = spins(vertices(copy), lambda, before.size_of_vertices());
     EXPECT_LT(greatest_difference(written, expected.lambda), 1e-6);  // also in float
   }
@@ -57,7 +57,7 @@ struct Counter : CGP::Spin_visitor {
 
 TEST_F(Spin_transform, overwrites_the_points_with_those_of_the_result)
 {
-  const CGP::Spin_report report = CGP::spin_transform(mesh, rho);
+  const CGP::Spin_report report = CGP::spin_transform(mesh, rho, unbounded());
   EXPECT_TRUE(report);
   EXPECT_EQ(view_of(mesh).positions(), expected.positions);
   EXPECT_EQ(report.eigenvalue, expected.report.eigenvalue);
@@ -75,7 +75,7 @@ TEST_F(Spin_transform, writes_lambda_as_quaternions_of_any_library)
 TEST_F(Spin_transform, takes_a_constant_rho)
 {
   const boost::static_property_map<double, Surface::Face_index> constant(0.25);
-  const CGP::Spin_report report = CGP::spin_transform(mesh, constant);
+  const CGP::Spin_report report = CGP::spin_transform(mesh, constant, unbounded());
   EXPECT_NEAR(report.eigenvalue, -0.25, 1e-9);
   EXPECT_LT(greatest_distance(view_of(mesh).positions(), before.positions()), 1e-7);
 }
@@ -83,7 +83,7 @@ TEST_F(Spin_transform, takes_a_constant_rho)
 TEST_F(Spin_transform, leaves_the_mesh_alone_where_the_points_go_elsewhere)
 {
   auto output = mesh.add_property_map<Vertex, Surface::Point>("output").first;
-  ASSERT_TRUE(CGP::spin_transform(mesh, rho, params::output_vertex_point_map(output)));
+  ASSERT_TRUE(CGP::spin_transform(mesh, rho, unbounded().output_vertex_point_map(output)));
   expect_untouched();
   const CGP::Graph_view<Surface> graph(mesh, params::vertex_point_map(output), "test");
   EXPECT_EQ(graph.view().positions(), expected.positions);
@@ -98,7 +98,7 @@ TEST_F(Spin_transform, reads_and_writes_the_points_of_the_map_given)
   }
   const auto half =
       boost::make_function_property_map<Vertex>([this](Vertex v) { return function(v) / 2; });
-  ASSERT_TRUE(CGP::spin_transform(mesh, half, params::vertex_point_map(points)));
+  ASSERT_TRUE(CGP::spin_transform(mesh, half, unbounded().vertex_point_map(points)));
   expect_untouched();
   const CGP::Graph_view<Surface> graph(mesh, params::vertex_point_map(points), "test");
   EXPECT_EQ(graph.view().positions(), 2 * expected.positions);
@@ -106,24 +106,25 @@ TEST_F(Spin_transform, reads_and_writes_the_points_of_the_map_given)
 
 TEST_F(Spin_transform, passes_its_parameters_on)
 {
-  EXPECT_FALSE(CGP::spin_transform(mesh, rho, params::number_of_iterations(1)));
+  EXPECT_FALSE(CGP::spin_transform(mesh, rho, unbounded().number_of_iterations(1)));
   expect_untouched();
   const auto strong =
       boost::make_function_property_map<Vertex>([this](Vertex v) { return 6 * function(v); });
-  EXPECT_FALSE(CGP::spin_transform(mesh, strong, params::maximum_number_of_substeps(1)));
+  EXPECT_FALSE(CGP::spin_transform(mesh, strong, unbounded().maximum_number_of_substeps(1)));
   expect_untouched();
   Surface rough = mesh;
   const CGP::Spin_report report =
-      CGP::spin_transform(rough, rho, params::tolerance(1e-4).random_seed(3));
+      CGP::spin_transform(rough, rho, unbounded().tolerance(1e-4).random_seed(3));
   EXPECT_TRUE(report);
   EXPECT_LT(report.iterations, expected.report.iterations);
-  EXPECT_THROW((void)CGP::spin_transform(
-                   mesh, rho, params::eigenproblem(CGP::Dirac_options::Eigenproblem::generalized)),
-               CGP::Precondition_error);  // rho is not on faces
+  EXPECT_THROW(
+      (void)CGP::spin_transform(
+          mesh, rho, unbounded().eigenproblem(CGP::Dirac_options::Eigenproblem::generalized)),
+      CGP::Precondition_error);  // rho is not on faces
   expect_untouched();
   ASSERT_TRUE(CGP::spin_transform(
       mesh, rho,
-      params::eigenvalue_solver(CGP::Inverse_power_eigensolver_traits()).tolerance(1e-7)));
+      unbounded().eigenvalue_solver(CGP::Inverse_power_eigensolver_traits()).tolerance(1e-7)));
   EXPECT_LT(greatest_distance(view_of(mesh).positions(), expected.positions), 1e-5);
 }
 
@@ -131,12 +132,12 @@ TEST_F(Spin_transform, is_watched_and_stopped_by_a_visitor)
 {
   Counter all(1000), few(2);
   Surface copy = mesh;
-  EXPECT_TRUE(CGP::spin_transform(copy, rho, params::visitor(std::ref(all))));
+  EXPECT_TRUE(CGP::spin_transform(copy, rho, unbounded().visitor(std::ref(all))));
   EXPECT_EQ(all.count, expected.report.iterations);
   const Eigen::Quaterniond initial(1, 2, 3, 4);
   auto lambda = mesh.add_property_map<Vertex, Eigen::Quaterniond>("lambda", initial).first;
   const CGP::Spin_report report =
-      CGP::spin_transform(mesh, rho, params::visitor(std::ref(few)).vertex_spin_map(lambda));
+      CGP::spin_transform(mesh, rho, unbounded().visitor(std::ref(few)).vertex_spin_map(lambda));
   EXPECT_TRUE(report.cancelled);
   EXPECT_FALSE(report);
   EXPECT_EQ(few.count, 2);

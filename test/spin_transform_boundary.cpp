@@ -58,7 +58,7 @@ TEST_F(Spin_transform_with_boundary, keeps_the_directions_that_are_only_named)
 {
   const auto rho = constant(1.);
   const CGP::Spin_report report =
-      CGP::spin_transform(mesh, rho, params::boundary_direction(tangent));
+      CGP::spin_transform(mesh, rho, unbounded().boundary_direction(tangent));
   EXPECT_TRUE(report);
   const auto expected =
       CGP::Spin_transformation(before, {Boundary_condition::tangents()})
@@ -71,7 +71,7 @@ TEST_F(Spin_transform_with_boundary, realises_a_constant_only_where_something_is
 {
   Surface kept = mesh;
   const CGP::Spin_report binormals =
-      CGP::spin_transform(kept, constant(.7), params::boundary_direction(binormal));
+      CGP::spin_transform(kept, constant(.7), unbounded().boundary_direction(binormal));
   EXPECT_NEAR(binormals.eigenvalue, -.7, 1e-9);
   EXPECT_LT(greatest_distance(view_of(kept).positions(), before.positions()), 1e-6);
 }
@@ -80,7 +80,7 @@ TEST_F(Spin_transform_with_boundary, takes_the_branch_and_the_kernel_that_it_is_
 {
   const auto near_a_zero = constant(2.4);
   Surface other = mesh;
-  const auto directions = params::boundary_direction(binormal);
+  const auto directions = unbounded().boundary_direction(binormal);
   const CGP::Spin_report smallest = CGP::spin_transform(
       mesh, near_a_zero, directions.branch(CGP::Dirac_options::Branch::smallest));
   EXPECT_NEAR(smallest.eigenvalue + 2.4, 2.4048, .05);
@@ -89,7 +89,7 @@ TEST_F(Spin_transform_with_boundary, takes_the_branch_and_the_kernel_that_it_is_
 
   // Of a cylinder become planes and catenoids, in any proportion.
   Surface one = to_cgal_mesh<Surface>(cylinder(1, 2, 24, 8)), several = one;
-  const auto tangents = params::boundary_direction(tangent).exactness(std::nullopt);
+  const auto tangents = unbounded().boundary_direction(tangent).exactness(std::nullopt);
   const CGP::Spin_report vector = CGP::spin_transform(one, constant(-.5), tangents);
   const CGP::Spin_report mixture =
       CGP::spin_transform(several, constant(-.5), tangents.kernel_tolerance(.2));

@@ -76,7 +76,7 @@ void expect_transformation_with_boundary(Mesh mesh, double tolerance)
   using Point_map = typename boost::property_map<Mesh, CGAL::vertex_point_t>::const_type;
   using Point = typename boost::property_traits<Point_map>::value_type;
   const Mesh_view before = view_of(mesh);
-  expect_transformation(mesh, params::default_values(), {}, tolerance);
+  expect_transformation(mesh, unbounded(), {}, tolerance);
 
   const Points turned = mapped(before, new_direction).positions();
   const auto directions = map_of_columns<Eigen::Vector3d>(mesh, turned);

@@ -17,7 +17,7 @@ void expect_transformation_with()
   auto rho = get(CGAL::dynamic_vertex_property_t<typename Kernel::FT>(), mesh);
   const Mesh_view before = view_of(mesh);
   fill(vertices(mesh), rho, rho_on_vertices(before).values);
-  ASSERT_TRUE(CGP::spin_transform(mesh, rho));
+  ASSERT_TRUE(CGP::spin_transform(mesh, rho, unbounded()));
   const CGP::Spin_result expected = expected_result(before, rho_on_vertices(before));
   EXPECT_EQ(view_of(mesh).positions(), expected.positions);
 }

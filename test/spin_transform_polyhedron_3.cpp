@@ -28,7 +28,7 @@ TEST(Spin_transform_of_a_Polyhedron_3, reads_and_fills_the_maps_of_the_mesh_trai
   const CGP::Conformal_mesh_traits<Surface> traits(mesh);
   fill(vertices(mesh), traits.vertex_curvature_potential_map(), rho_on_vertices(before).values);
   ASSERT_TRUE(CGP::spin_transform(mesh, traits.vertex_curvature_potential_map(),
-                                  CGP::parameters::vertex_spin_map(traits.vertex_spin_map())));
+                                  unbounded().vertex_spin_map(traits.vertex_spin_map())));
   const CGP::Spin_result expected = expected_result(before, rho_on_vertices(before));
   EXPECT_EQ(spins(vertices(mesh), traits.vertex_spin_map(), before.size_of_vertices()),
             expected.lambda);

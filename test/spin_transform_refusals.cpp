@@ -175,7 +175,7 @@ TEST(Spin_transform_with_mollification, takes_the_faces_of_area_zero_that_are_re
   Surface mesh = to_cgal_mesh<Surface>(view);
   const Eigen::VectorXd values = rho_of_section_3_on_vertices(view);
   const auto rho = map_of([&](Vertex v) { return values[static_cast<int>(v)]; });
-  const CGP::Spin_report report = CGP::spin_transform(mesh, rho, params::mollification(1e-6));
+  const CGP::Spin_report report = CGP::spin_transform(mesh, rho, unbounded().mollification(1e-6));
   EXPECT_TRUE(report);
   CGP::Spin_transformation_options options;
   options.mollification = 1e-6;
@@ -191,7 +191,7 @@ TEST(Spin_transform_with_mollification, takes_handles_and_boundaries)
     Surface mesh = to_cgal_mesh<Surface>(view);
     const Eigen::VectorXd values = rho_of_section_3_on_vertices(view);
     const auto rho = map_of([&](Vertex v) { return values[static_cast<int>(v)] / 4; });
-    const CGP::Spin_report report = CGP::spin_transform(mesh, rho, params::mollification(1e-6));
+    const CGP::Spin_report report = CGP::spin_transform(mesh, rho, unbounded().mollification(1e-6));
     EXPECT_TRUE(report);
     EXPECT_GT(report.mollification.thin_faces, 0);
     CGP::Spin_transformation_options options;

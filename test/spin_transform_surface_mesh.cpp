@@ -55,7 +55,7 @@ TEST(Spin_transform_of_a_Surface_mesh, reads_and_fills_the_properties_of_the_mes
   const CGP::Conformal_mesh_traits<Surface> traits(mesh);
   fill(faces(mesh), traits.face_curvature_potential_map(), rho_on_faces(before).values);
   ASSERT_TRUE(CGP::spin_transform(mesh, traits.face_curvature_potential_map(),
-                                  CGP::parameters::vertex_spin_map(traits.vertex_spin_map())));
+                                  unbounded().vertex_spin_map(traits.vertex_spin_map())));
   const CGP::Spin_result expected = expected_result(before, rho_on_faces(before));
   EXPECT_EQ(spins(vertices(mesh), traits.vertex_spin_map(), before.size_of_vertices()),
             expected.lambda);
@@ -72,16 +72,16 @@ TEST(Spin_transform_of_a_Surface_mesh, keeps_handles_closed_unless_told_otherwis
     rho[v] = sine[static_cast<Eigen::Index>(v)] = std::sin(3 * closed.point(v).x() + 1);
   const auto values = Curvature_potential::on_vertices(sine);
   Surface open = closed;
-  const auto report = CGP::spin_transform(closed, rho);
+  const auto report = CGP::spin_transform(closed, rho, unbounded());
   EXPECT_TRUE(report);
   EXPECT_GT(report.missing_share, 0.01);
   CGP::Spin_report::Limits limits;
-  EXPECT_FALSE(CGP::spin_transform(open, rho, CGP::parameters::exactness(std::nullopt)));
+  EXPECT_FALSE(CGP::spin_transform(open, rho, unbounded().exactness(std::nullopt)));
   EXPECT_LT(greatest_distance(view_of(open).positions(), before.positions()), 1e-15);
   limits.closure = 1;
   limits.map = {10, 1, 1};
   const auto plain =
-      CGP::spin_transform(open, rho, CGP::parameters::exactness(std::nullopt).limits(limits));
+      CGP::spin_transform(open, rho, unbounded().exactness(std::nullopt).limits(limits));
   EXPECT_TRUE(plain);
   EXPECT_EQ(plain.missing_share, 0);
   const Points expected = CGP::Spin_transformation(before).step(values).positions;
@@ -98,8 +98,7 @@ TEST(Spin_transform_of_a_Surface_mesh, closes_handles_up_to_the_limit_that_it_is
     Surface mesh = to_cgal_mesh<Surface>(btorus(16));
     auto rho = mesh.add_property_map<Surface::Vertex_index, double>("v:rho").first;
     for (const auto v : mesh.vertices()) rho[v] = std::sin(3 * mesh.point(v).x() + 1);
-    const auto report =
-        CGP::spin_transform(mesh, rho, CGP::parameters::maximum_period_defect(limit));
+    const auto report = CGP::spin_transform(mesh, rho, unbounded().maximum_period_defect(limit));
     EXPECT_TRUE(report);
     EXPECT_LE(report.period_defect, limit);
     EXPECT_GT(report.period_defect, 0);

@@ -90,7 +90,7 @@ class CONFORMAL_OT_spin(Edit, bpy.types.Operator):
         name="Amplitude", default=2,
         description="change of curvature where the weight is 1, relative to a ball of this size")
     max_scale: bpy.props.FloatProperty(
-        name="Largest scale", default=2, min=1.01,
+        name="Largest scale", default=cg.default_max_scale, min=1.01,
         description="lengths change by this factor at most")
 
     def compute(self, thing, V, F):

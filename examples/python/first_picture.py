@@ -60,7 +60,7 @@ def picture(surfaces, F, values, zoom=1.4):
 def main(output="first_picture.ply", picture_file=None):
     V, F, angle = ring(180, 36)
     rho = 1.2 * np.sin(9 * angle)                         # the change of mean curvature, in 1/length
-    result = cg.spin_transform(V, F, rho, max_scale=2)    # lengths change by a factor of 2 at most
+    result = cg.spin_transform(V, F, rho)                 # lengths change by a factor of 2 at most
     print(result.report)                                  # the certificate
     if not result:
         sys.exit(result.report.fault)

@@ -16,12 +16,17 @@ from scipy.spatial import ConvexHull
 import conformal_geometry as cg
 
 
+def spun(V, F, rho):
+    """The positions without a bound on lengths: these are what `Spin_derivative` differentiates."""
+    return cg.spin_transform(V, F, rho, on="vertices", max_scale=None).positions
+
+
 def fit(V, F, target, steps=50):
     """The best rho, and the energies before each step, relative to the first."""
     masses, laplacian = cg.vertex_areas(V, F), cg.cotan_laplacian(V, F)
     rho, best, energies, last = np.zeros(len(V)), None, [], None
     for _ in range(steps):
-        miss = laplacian @ (cg.spin_transform(V, F, rho, on="vertices").positions - target)
+        miss = laplacian @ (spun(V, F, rho) - target)
         energies.append((miss ** 2 / masses[:, None]).sum() / 2)
         if energies[-1] == min(energies):
             best = rho
@@ -50,8 +55,7 @@ def sphere(count):
 
 def main():
     V, F = sphere(1000)
-    target = cg.spin_transform(V, F, np.sin(3 * V[:, 1]) + .5 * V[:, 0] * V[:, 2],
-                               on="vertices").positions
+    target = spun(V, F, np.sin(3 * V[:, 1]) + .5 * V[:, 0] * V[:, 2])
     for step, energy in enumerate(fit(V, F, target)[1]):
         print(f"step {step:2}: energy {energy:.2e}")
 

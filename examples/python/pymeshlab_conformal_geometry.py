@@ -41,7 +41,7 @@ def move(meshes, result):
     return result.report
 
 
-def spin(meshes, max_scale=2.):
+def spin(meshes, max_scale=cg.default_max_scale):
     """Changes the mean curvature of the current mesh by the quality of its vertices; no length
     changes by more than the factor max_scale. The report."""
     if not meshes.current_mesh().has_vertex_scalar():
@@ -64,7 +64,8 @@ def main(arguments):
     what = parser.add_mutually_exclusive_group()
     what.add_argument("--spin", metavar="EXPRESSION")
     what.add_argument("--flow", metavar="STEPS", type=int)
-    parser.add_argument("--max-scale", metavar="B", type=float, default=2.)
+    parser.add_argument("--max-scale", metavar="B", type=float,
+                        default=cg.default_max_scale)
     options = parser.parse_args(arguments)
     meshes = pymeshlab.MeshSet()
     meshes.load_new_mesh(options.input)

@@ -23,18 +23,15 @@ Conformal_deformation_options conformal_deformation_options(const Graph_view<Tri
   static_assert(
       only_known_parameters<
           NamedParameters, CGAL::internal_np::vertex_point_t, CGAL::internal_np::geom_traits_t,
-          CGAL::internal_np::number_of_iterations_t, CGAL::internal_np::random_seed_t,
           CGAL::internal_np::visitor_t, internal_np::output_vertex_point_map_t,
-          internal_np::vertex_spin_map_t, internal_np::sparse_solver_t,
-          internal_np::eigenvalue_solver_t, internal_np::exactness_t, internal_np::limits_t,
-          internal_np::tolerance_t, internal_np::maximum_number_of_substeps_t,
-          internal_np::position_weight_t, internal_np::mollification_t, internal_np::scale_bound_t,
-          internal_np::vertex_scale_map_t, internal_np::vertex_scale_weight_map_t,
-          internal_np::vertex_region_map_t>,
+          internal_np::vertex_spin_map_t, internal_np::sparse_solver_t, internal_np::exactness_t,
+          internal_np::limits_t, internal_np::position_weight_t, internal_np::mollification_t,
+          internal_np::scale_bound_t, internal_np::vertex_scale_map_t,
+          internal_np::vertex_scale_weight_map_t, internal_np::vertex_region_map_t>,
       "conformal_deformation(): unknown named parameter, see the manual for those it accepts");
   Conformal_deformation_options options;
   read_exactness_and_mollification(np, options.surface);
-  options.surface.scales = scale_control(graph, np);
+  read_scale_control(graph, np, options.surface);
   options.position_weight = CGAL::to_double(CGAL::parameters::choose_parameter(
       CGAL::parameters::get_parameter(np, internal_np::position_weight), options.position_weight));
   if constexpr (has_parameter<NamedParameters, internal_np::vertex_region_map_t>)
@@ -118,8 +115,8 @@ Conformal_deformation_options conformal_deformation_options(const Graph_view<Tri
 ///   \cgalParamNBegin{scale_bound}
 ///     \cgalParamDescription{lengths change by no more than this factor, on 98 % of the area,
 ///                           apart from the similarity}
-///     \cgalParamType{a number > 1}
-///     \cgalParamDefault{none}
+///     \cgalParamType{a number > 1, or `std::nullopt` for no bound}
+///     \cgalParamDefault{2; with `vertex_scale_map` 1.25}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{vertex_scale_map}
 ///     \cgalParamDescription{wanted factors of lengths, to which the bound is relative}
@@ -153,31 +150,6 @@ Conformal_deformation_options conformal_deformation_options(const Graph_view<Tri
 ///     \cgalParamType{a model of `SparseHermitianSolverTraits`}
 ///     \cgalParamDefault{`Default_solver_traits`}
 ///   \cgalParamNEnd
-///   \cgalParamNBegin{eigenvalue_solver}
-///     \cgalParamDescription{the eigenvalue solver; only its type matters, not its value}
-///     \cgalParamType{a model of `SparseHermitianEigensolverTraits`}
-///     \cgalParamDefault{`Lobpcg_eigensolver_traits`}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{tolerance}
-///     \cgalParamDescription{upper bound of the error estimate of lambda}
-///     \cgalParamType{`double`}
-///     \cgalParamDefault{1e-8}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{number_of_iterations}
-///     \cgalParamDescription{maximum number of iterations of each solution for lambda}
-///     \cgalParamType{`unsigned int`}
-///     \cgalParamDefault{40, which is also the most}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{maximum_number_of_substeps}
-///     \cgalParamDescription{maximum number of substeps in which a branch is followed}
-///     \cgalParamType{`unsigned int`}
-///     \cgalParamDefault{10}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{random_seed}
-///     \cgalParamDescription{seed of start vectors}
-///     \cgalParamType{`unsigned int`}
-///     \cgalParamDefault{0}
-///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
 ///     \cgalParamDescription{is called after every iteration and may cancel}
 ///     \cgalParamType{a `std::reference_wrapper` of a model of `SpinVisitor`}
@@ -207,7 +179,7 @@ Spin_report conformal_deformation(TriangleMesh& mesh, const TargetRange& targets
   Spin_result result =
       deformation.deform(internal::read_control_points(
                              graph, targets, internal::geometry_traits<TriangleMesh>(np), function),
-                         internal::dirac_options(np), internal::asking(visitor));
+                         internal::asking(visitor));
   internal::read_limits(np, result.report.limits);
   if (result.report) internal::write_spin_result(mesh, graph, result, np);
   return result.report;

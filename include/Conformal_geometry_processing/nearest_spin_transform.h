@@ -106,7 +106,9 @@ Points read_points(const TriangleMesh& mesh, PointMap points, const NamedParamet
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{scale_bound}
 ///     \cgalParamDescription{the largest factor by which lengths may change, see
-///     `spin_transform()`} \cgalParamType{`double`, above 1} \cgalParamDefault{none}
+///                           `spin_transform()`}
+///     \cgalParamType{`double`, above 1, or `std::nullopt` for no bound}
+///     \cgalParamDefault{none: the lengths are those of the target, as nearly as can be}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{boundary_direction}
 ///     \cgalParamDescription{the direction of the boundary frame that is taken from the target}

@@ -41,7 +41,7 @@ Spin_transformation_options spin_transformation_options(const Graph_view<Triangl
   Spin_transformation_options options;
   options.boundary = boundary_condition(graph, np, function);
   read_exactness_and_mollification(np, options);
-  options.scales = scale_control(graph, np);
+  read_scale_control(graph, np, options);
   options.exact_conformal_class = CGAL::parameters::choose_parameter(
       CGAL::parameters::get_parameter(np, internal_np::exact_conformal_class), false);
   return options;
@@ -53,10 +53,14 @@ Spin_transformation_options spin_transformation_options(const Graph_view<Triangl
 /// \brief deforms a surface conformally so that its mean curvature changes as prescribed
 /// [CGP (5.3)-(5.5)].
 ///
-/// Solves (D - rho) lambda = gamma lambda for the spins lambda and integrates the new edges
+/// Finds spins lambda with (D - rho) lambda = gamma lambda and integrates the new edges
 /// conjugate(lambda) df lambda. The new surface satisfies H~ |lambda|^2 = H + rho + gamma: positive
 /// rho bulges along the normals, and its constant part has no effect. Angles are preserved up to
 /// the discretisation error; area and centroid are preserved.
+///
+/// On long limbs, rho alone may scale lengths by large factors. By default the nearest rho is
+/// applied whose factors are within [1/2, 2]. With `scale_bound(std::nullopt)` there is no bound,
+/// and lambda is the eigenvector of the thesis.
 ///
 /// On a surface of genus > 0, not every rho belongs to a surface that closes up around its handles:
 /// the inadmissible part is left out, and a strong rho is applied in several steps. The report
@@ -68,8 +72,9 @@ Spin_transformation_options spin_transformation_options(const Graph_view<Triangl
 /// as little as possible. Data that no surface has are rejected: the report is `false` and names
 /// the `boundary_fault`.
 ///
-/// Computes in double precision for every kernel. The sparse factorization of a quaternionic matrix
-/// on the vertices and about ten solves with it dominate time and memory. Use `Spin_transformation`
+/// Computes in double precision for every kernel. Sparse factorizations of quaternionic matrices on
+/// the vertices dominate time and memory: with a bound one to five, and 30 to 150 solves; without
+/// one, on smooth spheres, about six, see `Spin_transformation`. Use `Spin_transformation`
 /// for several rho on one mesh.
 ///
 /// \tparam TriangleMesh see \ref triangle_mesh_requirements
@@ -109,14 +114,15 @@ Spin_transformation_options spin_transformation_options(const Graph_view<Triangl
 ///     \cgalParamDefault{`Default_solver_traits`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{eigenvalue_solver}
-///     \cgalParamDescription{the eigenvalue solver; only its type matters, not its value}
+///     \cgalParamDescription{without a bound on lengths: the eigenvalue solver; only its type
+///                           matters, not its value}
 ///     \cgalParamType{a model of `SparseHermitianEigensolverTraits`}
 ///     \cgalParamDefault{`Lobpcg_eigensolver_traits`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{eigenproblem}
-///     \cgalParamDescription{the discretisation: `Dirac_options::Eigenproblem::generalized`
-///     requires rho on faces
-///                           and falls back to the standard problem if it is not reliable}
+///     \cgalParamDescription{without a bound on lengths: the discretisation.
+///                           `Dirac_options::Eigenproblem::generalized` requires rho on faces and
+///                           falls back to the standard problem if it is not reliable}
 ///     \cgalParamType{`Dirac_options::Eigenproblem`}
 ///     \cgalParamDefault{`Dirac_options::Eigenproblem::standard`}
 ///   \cgalParamNEnd
@@ -136,20 +142,22 @@ Spin_transformation_options spin_transformation_options(const Graph_view<Triangl
 ///                           area, at unchanged total area; where rho would do more, the nearest
 ///                           rho that does not is applied. `Spin_report::scales` tells what was
 ///                           kept. A factor of 1.5 to 3 keeps limbs recognisable. Less of rho is
-///                           applied, too, where the map would be beyond `limits`}
-///     \cgalParamType{`double`}
-///     \cgalParamDefault{none: rho is applied as it is}
+///                           applied, too, where the map would be beyond `limits`. Cannot be
+///                           combined with `vertex_target_point_map`}
+///     \cgalParamType{`double`, or `std::nullopt` for no bound: rho is applied as it is}
+///     \cgalParamDefault{2; with `vertex_scale_map` 1.25; none with `boundary_direction_map` or
+///                       `vertex_target_point_map`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{vertex_scale_map}
-///     \cgalParamDescription{with `scale_bound`: wanted factors of lengths, to which the bound is
-///                           relative; only their ratios matter}
+///     \cgalParamDescription{wanted factors of lengths, to which the bound is relative; only their
+///                           ratios matter. Needs a bound}
 ///     \cgalParamType{a model of `ReadablePropertyMap` with the vertex descriptor as key and a
 ///                    positive number as value}
 ///     \cgalParamDefault{1}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{vertex_scale_weight_map}
-///     \cgalParamDescription{with `scale_bound`: how much the size of the surface matters there;
-///                           where it is 0, lengths may change freely}
+///     \cgalParamDescription{how much the size of the surface matters there; where it is 0,
+///                           lengths may change freely. Needs a bound}
 ///     \cgalParamType{a model of `ReadablePropertyMap` with the vertex descriptor as key and a
 ///                    number >= 0 as value}
 ///     \cgalParamDefault{1}
@@ -207,8 +215,9 @@ Spin_transformation_options spin_transformation_options(const Graph_view<Triangl
 ///     \cgalParamDefault{true on the boundary}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{kernel_tolerance}
-///     \cgalParamDescription{with directions: singular values of D - rho up to this bound, in
-///                           1/length, count as zero, and the nearest of their surfaces is taken}
+///     \cgalParamDescription{with directions and without a bound on lengths: singular values of
+///                           D - rho up to this one, in 1/length, count as zero, and the nearest of
+///                           their surfaces is taken}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{0: the surface of one singular vector is taken}
 ///   \cgalParamNEnd
@@ -222,27 +231,32 @@ Spin_transformation_options spin_transformation_options(const Graph_view<Triangl
 ///     \cgalParamDefault{none: faces of area zero are rejected}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{branch}
-///     \cgalParamDescription{with directions: the singular vector of D - rho that is taken}
+///     \cgalParamDescription{with directions and without a bound on lengths: the singular vector
+///                           of D - rho that is taken}
 ///     \cgalParamType{`Dirac_options::Branch`}
 ///     \cgalParamDefault{`Dirac_options::Branch::nearest`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{tolerance}
-///     \cgalParamDescription{upper bound of the error estimate of lambda}
+///     \cgalParamDescription{upper bound of the error estimate of lambda as an eigenvector, that
+///                           is without a bound on lengths}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{1e-8}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{number_of_iterations}
-///     \cgalParamDescription{maximum number of iterations of the eigenvalue solver in all}
+///     \cgalParamDescription{without a bound on lengths: maximum number of iterations of the
+///                           eigenvalue solver in all}
 ///     \cgalParamType{`unsigned int`}
 ///     \cgalParamDefault{200}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_number_of_substeps}
-///     \cgalParamDescription{maximum number of substeps in which a strong rho is applied}
+///     \cgalParamDescription{without a bound on lengths: maximum number of substeps in which a
+///                           strong rho is applied}
 ///     \cgalParamType{`unsigned int`}
 ///     \cgalParamDefault{10}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{random_seed}
-///     \cgalParamDescription{seed of the second start vector of the eigenvalue solver}
+///     \cgalParamDescription{without a bound on lengths: seed of the second start vector of the
+///                           eigenvalue solver}
 ///     \cgalParamType{`unsigned int`}
 ///     \cgalParamDefault{0}
 ///   \cgalParamNEnd

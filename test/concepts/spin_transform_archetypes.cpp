@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include <optional>
+
 #include "concepts/Sparse_hermitian_eigensolver_archetype.h"
 #include "concepts/Sparse_hermitian_solver_archetype.h"
 #include "support/dense.h"
@@ -71,7 +73,8 @@ class Spin_transform_with_archetypes : public testing::Test {
 TEST_F(Spin_transform_with_archetypes, of_the_mesh_the_maps_the_geometry_and_the_visitor)
 {
   Visitor visitor;
-  expect_transformation(params::vertex_point_map(cgp_test::Point_map_archetype(view))
+  expect_transformation(params::scale_bound(std::nullopt)
+                            .vertex_point_map(cgp_test::Point_map_archetype(view))
                             .output_vertex_point_map(cgp_test::Output_map_archetype(points))
                             .vertex_spin_map(Spin_map(spins))
                             .geom_traits(Geometry_traits_archetype(cgp_test::archetype_unit))
@@ -81,7 +84,8 @@ TEST_F(Spin_transform_with_archetypes, of_the_mesh_the_maps_the_geometry_and_the
 
 TEST_F(Spin_transform_with_archetypes, of_the_solvers_too)
 {
-  expect_transformation(params::vertex_point_map(cgp_test::Point_map_archetype(view))
+  expect_transformation(params::scale_bound(std::nullopt)
+                            .vertex_point_map(cgp_test::Point_map_archetype(view))
                             .output_vertex_point_map(cgp_test::Output_map_archetype(points))
                             .vertex_spin_map(Spin_map(spins))
                             .geom_traits(Geometry_traits_archetype(cgp_test::archetype_unit))

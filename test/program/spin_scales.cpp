@@ -1,5 +1,5 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-// Tests examples/conformal/commands/spin.cpp
+// Tests examples/conformal/commands/spin.cpp examples/conformal/commands/scale_options.cpp
 #include <nlohmann/json.hpp>
 
 #include <string>
@@ -28,6 +28,16 @@ TEST_F(Spin_scales, lengths_stay_within_a_bound_of_two)
   const auto plain = read_json("c.json")["result"];
   EXPECT_FALSE(plain.contains("scale_control"));
   EXPECT_LT(plain["scale"]["min"], .5);
+}
+
+TEST_F(Spin_scales, a_bound_is_the_default_where_a_wish_is_followed)
+{
+  const auto has_default = [&](const std::string& command, const std::string& bound) {
+    const std::string help = run(command + " --help").out;
+    return help.find("--max-scale TEXT:FLOAT > 1 or none=" + bound + '\n') != std::string::npos;
+  };
+  for (const char* command : {"spin", "deform"}) EXPECT_TRUE(has_default(command, "2")) << command;
+  for (const char* command : {"fit", "blend"}) EXPECT_TRUE(has_default(command, "none")) << command;
 }
 
 TEST_F(Spin_scales, sizes_that_are_wanted_come_without_a_bound_to_choose)

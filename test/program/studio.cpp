@@ -9,6 +9,7 @@
 
 #include "conformal/input/User_frame.h"
 #include "conformal/studio/built_in_shapes.h"
+#include "conformal/studio/studio_page.h"
 
 #include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Conformal_geometry_processing/mesh/topology.h>
@@ -89,6 +90,11 @@ TEST_F(Studio, writes_nothing_where_it_cannot_be_used)
   write("open.off", "OFF\n6 2 0\n0 0 0\n1 0 0\n0 1 0\n0 0 5\n1 0 5\n0 1 5\n3 0 1 2\n3 3 4 5\n");
   EXPECT_TRUE(fails(run("studio open.off -o page.html"), 4, "component"));
   EXPECT_FALSE(has("page.html"));
+}
+
+TEST(Studio_page, begins_with_the_bound_of_the_program)
+{
+  EXPECT_NE(conformal::studio_page({}).find("\"bound\":2.0,"), std::string::npos);
 }
 
 TEST(Studio_surface, finds_what_the_library_finds)

@@ -18,7 +18,7 @@ def test_the_derivative_is_the_limit_of_differences(mesh):
     rho = .3 * np.sin(2 * V[:, 0]) + .2 * V[:, 1] if rho is None else rho
     direction = np.random.default_rng(2).normal(size=len(V))
     derivative = cg.Spin_derivative(V, F, rho, on="vertices")
-    edits = cg.Spin_transformation(V, F, exactness=None)
+    edits = cg.Spin_transformation(V, F, exactness=None, max_scale=None)
     step = 1e-4
     after, before = (edits.transform(rho + s * direction, on="vertices", tolerance=1e-13)
                      for s in (step, -step))
@@ -65,7 +65,7 @@ def test_the_energy_is_that_of_the_operator():
     D, X = cg.dirac_operator(V, F), cg.dirac_energy(V, F)
     masses = diags(np.repeat(cg.face_areas(V, F), 4))
     assert np.abs((D.T @ masses @ D - X).toarray()).max() < 1e-11
-    result = cg.spin_transform(V, F, RHO, tolerance=1e-11)
+    result = cg.spin_transform(V, F, RHO, max_scale=None, tolerance=1e-11)
     with_rho = cg.dirac_energy(V, F, RHO + result.report.eigenvalue).toarray()
     assert np.abs(with_rho - with_rho.T).max() < 1e-13
     assert np.linalg.eigvalsh(with_rho).min() > -1e-12
@@ -177,7 +177,9 @@ def test_the_nearest_to_a_conformal_deformation_is_itself():
     assert sheared and sheared.report.conformality.quasi_conformal.mean < 1.1
     blended = cg.nearest(V, V * [1, 1, 1.3], F, blend=1., keep_curvature=True)
     assert blended.distance < sheared.distance
-    assert cg.nearest(V, V * [1, 1, 1.3], F).distance < sheared.distance
+    free = cg.nearest(V, V * [1, 1, 1.3], F)
+    assert free.distance < sheared.distance and free.report.scales.bound == 0
+    assert cg.nearest(V, V * [1, 1, 1.3], F, max_scale=1.1).report.scales.high <= 1.1
 
 
 def test_blending_reaches_both_ends():

@@ -42,13 +42,14 @@ def positions(vertices):
 
 
 @pytest.mark.parametrize("mesh", [icosphere(2, .05), torus(18, 9), patch(8, .2)])
-@pytest.mark.parametrize("max_scale", [None, 1.2])
+@pytest.mark.parametrize("max_scale", [None, 1.2, cg.default_max_scale])
 def test_spin(mesh, max_scale, tmp_path):
     V, F = in_a_box(mesh[0]), mesh[1]
     rho = np.sin(4 * V[:, 1]) + .3 * V[:, 0]
     write_ply(tmp_path / "in.ply", V, F, rho=rho)
-    run("spin", tmp_path / "in.ply", "--rho-property", "rho", "--max-scale", max_scale or "none",
-        "--lambda", "q", "-o", tmp_path / "out.ply")
+    bound = [] if max_scale is cg.default_max_scale else ["--max-scale", max_scale or "none"]
+    run("spin", tmp_path / "in.ply", "--rho-property", "rho", *bound, "--lambda", "q",
+        "-o", tmp_path / "out.ply")
     result = cg.spin_transform(V, F, (1 / 1.5) * rho, on="vertices", max_scale=max_scale)
     assert result
     vertices = read_vertices(tmp_path / "out.ply")

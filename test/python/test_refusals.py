@@ -70,7 +70,7 @@ def test_errors_are_those_of_python_too():
     (dict(max_scale=2, vertex_scale=np.ones(3)), "one per vertex is needed: 162"),
     (dict(max_scale=2, vertex_scale_weight=-np.ones(162)), "vertex 0 has the value -1"),
     (dict(max_scale=2, vertex_scale=[]), "vertex_scale is empty"),
-    (dict(vertex_scale=np.ones(162)), "are for max_scale"),
+    (dict(max_scale=None, vertex_scale=np.ones(162)), "need a scale bound"),
     (dict(exactness="exact"), "'adjoint', 'thesis'"),
     (dict(branch="other"), "'nearest', 'smallest', 'zero'"),
     (dict(on="edges"), "'vertices' or 'faces'"),

@@ -40,7 +40,7 @@ def test_is_conformal_and_keeps_area_and_centroid():
 def test_changes_the_curvature_as_asked():
     V, F = icosphere(4)
     rho = .5 * V[:, 1] * V[:, 0]
-    result = cg.spin_transform(V, F, rho)
+    result = cg.spin_transform(V, F, rho, max_scale=None)
     scale = (result.spins ** 2).sum(axis=1)
     realised = cg.mean_curvature(result.positions, F) * scale
     wanted = cg.mean_curvature(V, F) + rho + result.report.eigenvalue
@@ -79,16 +79,16 @@ def test_leaves_its_input_alone():
 
 def test_takes_rho_on_faces():
     on_faces = RHO[F].mean(axis=1)
-    result = cg.spin_transform(V, F, on_faces)
+    result = cg.spin_transform(V, F, on_faces, max_scale=None)
     assert result
-    generalized = cg.spin_transform(V, F, on_faces, eigenproblem="generalized")
+    generalized = cg.spin_transform(V, F, on_faces, eigenproblem="generalized", max_scale=None)
     assert np.abs(result.positions - generalized.positions).max() < .05
 
 
 def test_bounds_scales():
     V, F = icosphere(2, .05)
     rho = 4 * np.sin(3 * V[:, 1])
-    free, bound = cg.spin_transform(V, F, rho), cg.spin_transform(V, F, rho, max_scale=1.5)
+    free, bound = (cg.spin_transform(V, F, rho, max_scale=b) for b in (None, 1.5))
     assert bound and bound.report.scales.bound == 1.5
     assert 1 / 1.5 <= bound.report.scales.low and bound.report.scales.high <= 1.5
     assert bound.report.scales.kept_norm < 1
@@ -98,10 +98,30 @@ def test_bounds_scales():
     assert not same_bits(held, bound)
 
 
+def test_the_bound_is_two_unless_told_otherwise():
+    V, F = icosphere(3, .05)
+    rho, factors = 4 * np.sin(3 * V[:, 1]), np.exp(.5 * V[:, 0])
+    usual = cg.spin_transform(V, F, rho)
+    assert cg.default_max_scale == 2 and usual.report.scales.bound == 2
+    assert same_bits(usual, cg.spin_transform(V, F, rho, max_scale=2))
+    assert same_bits(usual, cg.Spin_transformation(V, F).transform(rho))
+    wanted = cg.spin_transform(V, F, rho, vertex_scale=factors)
+    assert wanted.report.scales.bound == 1.25
+    assert same_bits(wanted, cg.spin_transform(V, F, rho, max_scale=1.25, vertex_scale=factors))
+    eigenvector = cg.spin_transform(V, F, .1 * rho, max_scale=None).report
+    assert eigenvector.scales.bound == 0 and not eigenvector.is_relaxed
+    targets = {0: V[0], 9: V[9], 30: V[30], 50: 1.1 * V[50]}
+    moved = cg.deform(V, F, targets)
+    assert same_bits(moved, cg.deform(V, F, targets, max_scale=2.))
+    assert moved.report.scales.bound == 2
+    assert cg.deform(V, F, targets, max_scale=None).report.scales.bound == 0
+
+
 def test_keeps_handles_closed():
     V, F = torus(24, 12)
     rho = .3 * np.cos(np.arctan2(V[:, 1], V[:, 0])) + .2 * V[:, 2]
-    closed, sheared = (cg.spin_transform(V, F, rho, exactness=e) for e in ("adjoint", None))
+    closed, sheared = (cg.spin_transform(V, F, rho, exactness=e, max_scale=None)
+                       for e in ("adjoint", None))
     assert closed and closed.report.period_defect < .02
     assert closed.report.closure_residual < sheared.report.closure_residual
 
@@ -165,7 +185,7 @@ def test_a_minimal_surface_has_no_mean_curvature():
 
 def test_a_callback_watches_and_cancels():
     seen = []
-    assert cg.spin_transform(V, F, RHO, callback=seen.append)
+    assert cg.spin_transform(V, F, RHO, max_scale=None, callback=seen.append)
     assert seen and seen[0].iteration >= 0 and seen[-1].estimate < 1e-4
     result = cg.spin_transform(V, F, RHO, callback=lambda progress: False)
     assert not result and result.report.fault == "cancelled" and len(result.positions) == 0

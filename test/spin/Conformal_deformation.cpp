@@ -235,7 +235,7 @@ TEST(Conformal_deformation, can_be_cancelled)
 {
   Deformation deformation(sphere());
   const CGP::Spin_result r = deformation.deform(
-      one_moved(sphere(), 5, .3), {}, [](const CGP::Eigensolver_progress&) { return false; });
+      one_moved(sphere(), 5, .3), [](const CGP::Eigensolver_progress&) { return false; });
   EXPECT_TRUE(r.report.cancelled);
   EXPECT_EQ(r.positions.cols(), 0);
 }
@@ -245,7 +245,7 @@ TEST(Conformal_deformation, refuses_to_be_called_by_its_own_visitor)
   const auto points = one_moved(sphere(), 5, .3);
   Deformation deformation(sphere()), undisturbed(sphere());
   int refused = 0;
-  const CGP::Spin_result r = deformation.deform(points, {}, [&](const CGP::Eigensolver_progress&) {
+  const CGP::Spin_result r = deformation.deform(points, [&](const CGP::Eigensolver_progress&) {
     EXPECT_THROW((void)deformation.deform(points), CGP::Precondition_error);
     ++refused;
     return true;

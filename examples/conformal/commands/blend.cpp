@@ -53,7 +53,7 @@ struct Blend_options {
   int frames = 0;
   bool keep_curvature = false;  ///< the plain difference, wherever t = 1 is then
   double distance_tolerance = CGP::Nearest_spin_options().distance_tolerance;
-  std::optional<double> scale_bound;
+  std::optional<double> scale_bound;  ///< none: the lengths are those of the other surface
 };
 
 void add_options(CLI::App& command, Blend_options& blend, Common_options& common)
@@ -82,11 +82,7 @@ void add_options(CLI::App& command, Blend_options& blend, Common_options& common
   command.add_flag("--keep-curvature", blend.keep_curvature,
                    "add the plain difference of curvature, wherever t = 1 is then");
   add_distance_tolerance(command, blend.distance_tolerance);
-  command
-      .add_option("--max-scale", blend.scale_bound,
-                  "largest factor by which lengths may grow or shrink, on 98 % of the area, apart "
-                  "from the scale of the whole")
-      ->check(above_zero);
+  add_max_scale(command, blend.scale_bound);
   add_lambda(command, blend.spin.lambda);
   add_solver(command, blend.spin.solver);
   add_transformation(command, common);

@@ -44,9 +44,9 @@ struct Deform_options {
   Deform_options() { limits.realised = 1; }
 
   std::string input, targets;
-  std::string expression, property;     ///< of the region; all of the surface, if both are empty
-  std::string lambda;                   ///< the name of the vertex properties, none if empty
-  std::optional<double> scale_bound;    ///< on factors of lengths
+  std::string expression, property;  ///< of the region; all of the surface, if both are empty
+  std::string lambda;                ///< the name of the vertex properties, none if empty
+  std::optional<double> scale_bound = CGP::internal::default_scale_bound;  ///< none: no bound
   std::optional<double> weight;         ///< of the positions; none: exact
   std::optional<double> mollification;  ///< share of the mean edge
   bool force = false;
@@ -62,11 +62,7 @@ void add_options(CLI::App& command, Deform_options& deform, Common_options& comm
                      "formula of the weights in the region, 1: moves, 0: stays");
   region->add_option("--region-property", deform.property, "vertex property with these numbers");
   region->require_option(0, 1);
-  command
-      .add_option("--max-scale", deform.scale_bound,
-                  "largest factor by which lengths may grow or shrink, on 98 % of the area, apart "
-                  "from the scale of the whole")
-      ->check(above_zero);
+  add_max_scale(command, deform.scale_bound);
   command
       .add_option("--weight", deform.weight,
                   "weight of the distances from the targets against rho; without it they are zero")
@@ -74,7 +70,6 @@ void add_options(CLI::App& command, Deform_options& deform, Common_options& comm
   add_mollification(command, deform.mollification);
   add_lambda(command, deform.lambda);
   add_transformation(command, common);
-  add_eigenvector(command, common);
   add_limits(command, deform.limits, deform.force);
 }
 
@@ -90,7 +85,7 @@ Deformation_solution deform_surface(const Surface_input& input, const Deformatio
   Deformation_solution solution;
   solution.spin = watched(
       [&](const Go_further& go_further) {
-        solution = solve_deformation(input.mesh, problem, session.options(), go_further);
+        solution = solve_deformation(input.mesh, problem, go_further);
         return std::move(solution.spin);
       },
       session);

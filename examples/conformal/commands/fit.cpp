@@ -46,8 +46,8 @@ struct Fit_options {
   bool keep_curvature = false;  ///< of the target, whatever the distance
   double normal_weight = 1;     ///< how much the normals of the target count
   double distance_tolerance = Fit_problem().distance_tolerance;
-  std::optional<double> scale_bound;
-  double blend = 0;   ///< 0 is conformal, 1 nearest to the target
+  std::optional<double> scale_bound;  ///< none: the lengths are those of the other surface
+  double blend = 0;                   ///< 0 is conformal, 1 nearest to the target
   std::string scale;  ///< a formula of factors for the scales of the target, none if empty
   Boundary_choice boundary = Boundary_choice::tangents;  ///< taken from the target; not free
 };
@@ -71,11 +71,7 @@ void add_options(CLI::App& command, Fit_options& fit, Common_options& common)
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
   add_distance_tolerance(command, fit.distance_tolerance);
-  command
-      .add_option("--max-scale", fit.scale_bound,
-                  "largest factor by which lengths may grow or shrink, on 98 % of the area, apart "
-                  "from the scale of the whole")
-      ->check(above_zero);
+  add_max_scale(command, fit.scale_bound);
   command
       .add_option("--scale-expression", fit.scale,
                   "keeps the curvature, and multiplies the scales |mu|^2 of the target that are "

@@ -192,53 +192,6 @@ void add_distance_tolerance(CLI::App& command, double& tolerance)
       ->capture_default_str();
 }
 
-void add_scale_control(CLI::App& command, Scale_options& scales)
-{
-  scales.bound = 2;
-  const auto read = [&scales](const std::string& text) {
-    scales.bound.reset();
-    if (text != "none") scales.bound = std::strtod(text.c_str(), nullptr);
-  };
-  const auto is_bound = [](const std::string& text) {
-    char* end = nullptr;
-    const double bound = std::strtod(text.c_str(), &end);
-    const bool is_good = text == "none" || (*end == 0 && bound > 1 && finite(text).empty());
-    return is_good ? std::string() : "a number above 1, or none, is needed: " + text;
-  };
-  auto* max_scale =
-      command
-          .add_option_function<std::string>(
-              "--max-scale", read,
-              "largest factor by which lengths may grow or shrink, on 98 % of the area, or none: "
-              "rho is applied as it is, whatever collapses; 1.25 where sizes are wanted")
-          ->check(CLI::Validator(is_bound, "FLOAT > 1 or none"))
-          ->default_str("2");
-  auto* target = command.add_option_group("wanted sizes", "factors of lengths, one of");
-  target
-      ->add_option("--target-scale-expression", scales.target_expression,
-                   "formula: factors by which lengths should change, to which --max-scale is "
-                   "relative; with --rho-expression 0, a change of sizes alone")
-      ->check(formula);
-  target
-      ->add_option("--target-scale-property", scales.target_property,
-                   "vertex property with these factors")
-      ->check(not_empty);
-  auto* lock = command.add_option_group("locked sizes", "where sizes have to stay, one of");
-  lock->add_option("--lock-expression", scales.lock_expression,
-                   "formula: where it is 1, the change of sizes counts 100 times as much as where "
-                   "it is 0")
-      ->check(formula);
-  lock->add_option("--lock-property", scales.lock_property, "vertex property with these numbers")
-      ->check(not_empty);
-  for (CLI::Option_group* group : {target, lock}) group->require_option(0, 1);
-  // Within a factor of two of most wishes is what there was before.
-  target->parse_complete_callback([&scales, max_scale, target] {
-    if (max_scale->count() > 0 || target->count_all() == 0) return;
-    max_scale->default_str("1.25");
-    scales.bound = 1.25;
-  });
-}
-
 void add_period_defect(CLI::App& command, std::optional<double>& max_period_defect)
 {
   command
@@ -248,10 +201,11 @@ void add_period_defect(CLI::App& command, std::optional<double>& max_period_defe
       ->check(above_zero);
 }
 
-void add_eigenvector(CLI::App& command, Common_options& common)
+void add_eigenvector(CLI::App& command, Common_options& common, const std::string& remark)
 {
-  command.add_option("--seed", common.seed, "of random start vectors")->capture_default_str();
-  command.add_option("--tolerance", common.tolerance, "of the eigenvector")
+  command.add_option("--seed", common.seed, "of random start vectors" + remark)
+      ->capture_default_str();
+  command.add_option("--tolerance", common.tolerance, "of the eigenvector" + remark)
       ->check(between_zero_and_one)
       ->capture_default_str();
 }

@@ -11,6 +11,7 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -64,13 +65,19 @@ inline constexpr const char* tried_otherwise =
 /// \param otherwise what happens without this option, as the end of a sentence
 void add_mollification(CLI::App& command, std::optional<double>& mollification,
                        const std::string& otherwise = "");
-/// `--max-scale`, 2 by default, and what it refers to
+/// \brief `--max-scale`, a number or none
+/// \param bound its default
+/// \param remark what the description ends with
+CLI::Option* add_max_scale(CLI::App& command, std::optional<double>& bound,
+                           const std::string& remark = "; apart from the scale of the whole");
+/// `--max-scale`, and what it refers to
 void add_scale_control(CLI::App& command, Scale_options& scales);
 /// where the search for a surface ends
 void add_distance_tolerance(CLI::App& command, double& tolerance);
 void add_period_defect(CLI::App& command, std::optional<double>& max_period_defect);
 void add_boundary(CLI::App& command, Boundary_choice& boundary);
-void add_eigenvector(CLI::App& command, Common_options& common);
+/// \param remark what the descriptions end with
+void add_eigenvector(CLI::App& command, Common_options& common, const std::string& remark = "");
 /// what a map is judged by
 void add_map_limits(CLI::App& command, Verification_limits& limits, bool& force);
 

@@ -42,6 +42,8 @@ const char* const spin_about =
     "Example: conformal spin bear.off --rho-expression '1.5*sin(5*y)' -o bear_spin.ply\n"
     "Example: conformal spin bear.obj --paint fur.png --filter unsharp --amplitude 8 -o bear.ply";
 
+const char* const for_eigenvectors = "; without effect unless --max-scale is none";
+
 void add_options(CLI::App& command, Spin_options& spin, Common_options& common)
 {
   add_input(command, spin.input);
@@ -55,13 +57,14 @@ void add_options(CLI::App& command, Spin_options& spin, Common_options& common)
   add_period_defect(command, spin.max_period_defect);
   add_mollification(command, spin.mollification, tried_otherwise);
   add_choice(command, "--problem", spin.problem, {"standard", "generalized"},
-             "standard, or generalized for rho on faces where that can be trusted");
+             std::string("standard, or generalized for rho on faces where that can be trusted") +
+                 for_eigenvectors);
   command.add_flag("--open-handles", spin.open_handles,
                    "apply rho in one step, also the part of it that shears handles and holes");
   command.add_flag("--exact-class", spin.exact_class,
                    "move the result to the exact discrete conformal class: length cross-ratios "
                    "are kept to rounding");
-  add_eigenvector(command, common);
+  add_eigenvector(command, common, for_eigenvectors);
   add_limits(command, spin.limits, spin.force);
 }
 
@@ -99,7 +102,8 @@ void require_possible(const Surface_input& input, const Spin_options& spin)
 std::string easier(const Spin_options& spin)
 {
   const bool is_mollified = spin.mollification.value_or(1) > 0;
-  const std::string bound = spin.scales.bound ? "" : "--max-scale 2, ";
+  const std::string usual = text_of(CGP::internal::default_scale_bound);
+  const std::string bound = spin.scales.bound ? "" : "--max-scale " + usual + ", ";
   const bool has_tangents = spin.boundary == Boundary_choice::tangents;
   const std::string boundary = has_tangents ? "--boundary binormals, " : "";
   return bound + boundary +

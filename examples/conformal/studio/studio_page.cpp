@@ -6,6 +6,7 @@
 #include "conformal/report/conformal_charts.h"
 #include "conformal/report/page_blocks.h"
 
+#include <Conformal_geometry_processing/spin/Scale_control.h>
 #include <Conformal_geometry_processing/version.h>
 
 #include <nlohmann/json.hpp>
@@ -43,6 +44,7 @@ std::string studio_page(const std::vector<Studio_shape>& shapes)
     data += data_of(shape, k);
   }
   const nlohmann::json page = {{"version", CONFORMAL_GEOMETRY_PROCESSING_VERSION},
+                               {"bound", CGP::internal::default_scale_bound},
                                {"shapes", list}};
   const auto replace = nlohmann::json::error_handler_t::replace;  // a path need not be UTF-8
   return studio_page_begin + json_block("studio", page.dump(-1, ' ', false, replace)) + data +

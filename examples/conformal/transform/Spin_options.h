@@ -5,16 +5,21 @@
 #include "conformal/input/Rho_options.h"
 #include "conformal/report/Verification_limits.h"
 
+#include <Conformal_geometry_processing/spin/Scale_control.h>
+
 #include <optional>
 #include <string>
 
 namespace conformal {
 
+namespace CGP = Conformal_geometry_processing;
+
 enum class Eigenproblem { standard, generalized };
 
 /// Control of scale: at most one of each pair of sources is not empty
 struct Scale_options {
-  std::optional<double> bound;  ///< on factors of lengths; none: rho is applied as it is
+  /// on factors of lengths; none: rho is applied as it is
+  std::optional<double> bound = CGP::internal::default_scale_bound;
   std::string target_expression, target_property;  ///< wanted factors
   std::string lock_expression, lock_property;      ///< positive where sizes have to stay
 };

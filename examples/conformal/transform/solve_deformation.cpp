@@ -8,7 +8,7 @@
 namespace conformal {
 
 Deformation_solution solve_deformation(
-    const CGP::Mesh_view& mesh, const Deformation_problem& problem, const Common_options& common,
+    const CGP::Mesh_view& mesh, const Deformation_problem& problem,
     const std::function<bool(const CGP::Eigensolver_progress&)>& go_further)
 {
   CGP::internal::Conformal_deformation_options own;
@@ -16,11 +16,8 @@ Deformation_solution solve_deformation(
   if (problem.mollification > 0) own.surface.mollification = problem.mollification;
   if (problem.position_weight) own.position_weight = *problem.position_weight;
   own.region = problem.region;
-  CGP::Dirac_options dirac;
-  dirac.tolerance = common.tolerance;
-  dirac.random_seed = common.seed;
   CGP::internal::Conformal_deformation deformation(mesh, own, "deform");
-  CGP::Spin_result result = deformation.deform(problem.points, dirac, std::cref(go_further));
+  CGP::Spin_result result = deformation.deform(problem.points, std::cref(go_further));
   return {{std::move(result.positions), std::move(result.lambda), result.report},
           deformation.potential()};
 }

@@ -30,7 +30,7 @@ struct Deformation_solution {
 
 /// Calls the library's `Conformal_deformation`.
 Deformation_solution solve_deformation(
-    const CGP::Mesh_view& mesh, const Deformation_problem& problem, const Common_options& common,
+    const CGP::Mesh_view& mesh, const Deformation_problem& problem,
     const std::function<bool(const CGP::Eigensolver_progress&)>& go_further);
 
 }  // namespace conformal

@@ -32,17 +32,16 @@ class Deformation {
   }
 
   /// \param targets k x 3 \returns (positions, spins, report, rho)
-  py::tuple deform(const std::vector<int>& vertices, const Array& targets, const py::dict& options,
-                   const py::dict& bounds, const py::object& callback)
+  py::tuple deform(const std::vector<int>& vertices, const Array& targets, const py::dict& bounds,
+                   const py::object& callback)
   {
     const std::vector<Control_point> points = control_points(vertices, targets);
-    const CGP::Dirac_options dirac = dirac_options(options, m_function);
     CGP::Spin_report::Limits limits = conformal_python::limits(bounds);
     if (!bounds.contains("realised_share")) limits.realised_share = 1;
     const Watch watch(callback);
     const Turn turn(m_is_computing, m_function);
     CGP::Spin_result result =
-        without_lock([&] { return m_deformation->deform(points, dirac, std::cref(watch)); });
+        without_lock([&] { return m_deformation->deform(points, std::cref(watch)); });
     result.report.limits = limits;
     const Eigen::VectorXd& rho = m_deformation->potential().values;
     return py::make_tuple(to_rows(result.positions), to_rows(result.lambda), as_dict(result.report),
@@ -76,8 +75,8 @@ void add_deform(py::module_& m)
   py::class_<Deformation>(m, "Deformation")
       .def(py::init<const Array&, const Indices&, const py::dict&, std::string>(), arg("V"),
            arg("F"), arg("options"), arg("function"))
-      .def("deform", &Deformation::deform, arg("vertices"), arg("targets"), arg("options"),
-           arg("limits"), arg("callback"));
+      .def("deform", &Deformation::deform, arg("vertices"), arg("targets"), arg("limits"),
+           arg("callback"));
 }
 
 }  // namespace conformal_python

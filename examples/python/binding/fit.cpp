@@ -24,6 +24,7 @@ CGP::Nearest_spin_options nearest_options(const py::dict& options, const std::st
   o.keep_curvature = py::cast<bool>(options["keep_curvature"]);
   o.normal_weight = py::cast<double>(options["normal_weight"]);
   o.distance_tolerance = py::cast<double>(options["distance_tolerance"]);
+  take(options, "max_scale", o.scales.bound);
   take_closing(options, function, o);
   return o;
 }

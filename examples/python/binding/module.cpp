@@ -2,6 +2,7 @@
 #include "binding.h"
 
 #include <Conformal_geometry_processing/exceptions.h>
+#include <Conformal_geometry_processing/spin/Scale_control.h>
 #include <Conformal_geometry_processing/version.h>
 
 #include <exception>
@@ -35,6 +36,7 @@ PYBIND11_MODULE(_kernels, m)
 {
   m.doc() = "The compiled kernels; private, see conformal_geometry.";
   m.attr("__version__") = CONFORMAL_GEOMETRY_PROCESSING_VERSION;
+  m.attr("default_max_scale") = CGP::internal::default_scale_bound;
   py::register_exception_translator(translate);
   conformal_python::add_spin(m);
   conformal_python::add_deform(m);

@@ -112,12 +112,12 @@ CGP::Spin_transformation_options transformation_options(const py::dict& options,
   o.boundary = boundary_condition(condition, mesh, function);
   take_closing(options, function, o);
   take(options, "exact_conformal_class", o.exact_conformal_class);
-  take(options, "max_scale", o.scales.bound);
   o.scales.factors = take_numbers(options, "vertex_scale", function);
   o.scales.weights = take_numbers(options, "vertex_scale_weight", function);
-  if (!o.scales.bound && o.scales.factors.size() + o.scales.weights.size() > 0)
-    throw CGP::Precondition_error(function,
-                                  "vertex_scale and vertex_scale_weight are for max_scale");
+  if (options.contains("max_scale"))
+    take(options, "max_scale", o.scales.bound);
+  else
+    o.scales.bound = default_bound(o);
   return o;
 }
 

@@ -77,6 +77,7 @@ CGP::Boundary_condition boundary_condition(const py::object& condition, const CG
 
 CGP::Dirac_options dirac_options(const py::dict& options, const std::string& function);
 
+/// The options of a transformation; max_scale None is no bound, and without it that is the default.
 CGP::Spin_transformation_options transformation_options(const py::dict& options,
                                                         const CGP::Mesh_view& mesh,
                                                         const std::string& function);

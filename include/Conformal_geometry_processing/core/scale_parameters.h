@@ -3,7 +3,7 @@
 
 #include <Conformal_geometry_processing/core/Graph_view.h>
 #include <Conformal_geometry_processing/core/named_parameters.h>
-#include <Conformal_geometry_processing/spin/Scale_control.h>
+#include <Conformal_geometry_processing/spin/Spin_transformation_options.h>
 
 #include <CGAL/number_utils.h>
 
@@ -20,20 +20,23 @@ Eigen::VectorXd read_vertex_numbers(const Graph_view<TriangleMesh>& graph, Verte
   return numbers;
 }
 
-/// what `scale_bound`, `vertex_scale_map` and `vertex_scale_weight_map` specify
+/// \brief reads `vertex_scale_map`, `vertex_scale_weight_map` and `scale_bound`.
+/// \pre the boundary condition has been read: the default of the bound depends on it
 template <class TriangleMesh, class NamedParameters>
-Scale_control scale_control(const Graph_view<TriangleMesh>& graph, const NamedParameters& np)
+void read_scale_control(const Graph_view<TriangleMesh>& graph, const NamedParameters& np,
+                        Spin_transformation_options& options)
 {
   using CGAL::parameters::get_parameter;
-  Scale_control control;
-  if constexpr (has_parameter<NamedParameters, internal_np::scale_bound_t>)
-    control.bound = get_parameter(np, internal_np::scale_bound);
+  Scale_control& control = options.scales;
   if constexpr (has_parameter<NamedParameters, internal_np::vertex_scale_map_t>)
     control.factors = read_vertex_numbers(graph, get_parameter(np, internal_np::vertex_scale_map));
   if constexpr (has_parameter<NamedParameters, internal_np::vertex_scale_weight_map_t>)
     control.weights =
         read_vertex_numbers(graph, get_parameter(np, internal_np::vertex_scale_weight_map));
-  return control;
+  if constexpr (has_parameter<NamedParameters, internal_np::scale_bound_t>)
+    control.bound = get_parameter(np, internal_np::scale_bound);
+  else
+    control.bound = default_bound(options);
 }
 
 }  // namespace Conformal_geometry_processing::internal

@@ -69,7 +69,7 @@ std::vector<Control_point> Conformal_deformation::all_points(
 }
 
 Spin_result Conformal_deformation::deform(const std::vector<Control_point>& given,
-                                          const Dirac_options&, const Go_further& go_further)
+                                          const Go_further& go_further)
 {
   const internal::Thread_team team;
   m_visits.require_no_visit(m_function);

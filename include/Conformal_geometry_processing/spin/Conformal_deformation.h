@@ -62,7 +62,7 @@ class Conformal_deformation {
   /// though the points are not, or a point is not inside of the region, or `go_further` calls this
   /// function back
   /// \throw Solver_error if the first factorization fails
-  Spin_result deform(const std::vector<Control_point>& points, const Dirac_options& options = {},
+  Spin_result deform(const std::vector<Control_point>& points,
                      const Go_further& go_further = Always_go_further());
 
   /// the change of mean curvature found last, in 1/length of the mesh, one number per vertex

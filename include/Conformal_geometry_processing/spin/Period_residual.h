@@ -16,6 +16,9 @@ namespace Conformal_geometry_processing::internal {
 /// and holes: its norm is `Exactness_constraints::period_defect()`, zero if the surface closes.
 class Period_residual : public Spin_residual {
  public:
+  /// of the square of the residual, at first: leaves defects that nobody sees
+  static constexpr double default_weight = 1e4;
+
   /// \param exactness of the surface; both must outlive the object
   Period_residual(const Surface_ref& surface, const Exactness_constraints& exactness);
 
@@ -34,7 +37,7 @@ class Period_residual : public Spin_residual {
   Surface_ref m_surface;
   const Exactness_constraints& m_exactness;
   Spins m_lambda;
-  double m_weight = 1;
+  double m_weight = default_weight;
   double m_length = 1;  // of the edges
   Eigen::VectorXd m_values;
 };

@@ -1,14 +1,13 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/spin/Relaxed_positions.h>
 
-#include <Conformal_geometry_processing/spin/Period_limit.h>
-#include <Conformal_geometry_processing/spin/boundary_fault.h>
 #include <Conformal_geometry_processing/spin/transformed_edges.h>
 
 #include <Eigen/Core>
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace Conformal_geometry_processing::internal {
@@ -21,21 +20,23 @@ constexpr double stiffness = 60;        // of the misfit, by the default: large 
 constexpr double largest_weight = 1e6;  // of distances by R: leaves little to `meet_few()`, and
                                         // steps need not follow the curve of met targets
 
+inline std::optional<Period_residual> periods_of(Spin_transformation& transformation)
+{
+  const Exactness_constraints* const closing = transformation.closing();
+  if (!closing) return std::nullopt;
+  return Period_residual(transformation.system().surface(), *closing);
+}
+
 Relaxed_positions::Relaxed_positions(Transformation& transformation, Problem problem,
                                      const Points& targets, const Relaxed_scales_options& options)
     : m_transformation(transformation),
       m_problem(std::move(problem)),
-      m_closing(transformation.closing()),
       m_positions(transformation.system().surface(), transformation.reconstruction(),
                   m_problem.points, m_problem.masses),
-      m_periods(m_closing ? std::optional<Period_residual>(
-                                {transformation.system().surface(), *m_closing})
-                          : std::nullopt),
+      m_periods(periods_of(transformation)),
       m_scales(transformation.system(), m_problem.rho, m_problem.scales, residuals(),
                completed(options))
 {
-  const double period_weight = 1e4;  // as in `Spin_transformation`
-  if (m_periods) m_periods->set_weight(period_weight);
   m_positions.set_stiffness(m_scales.spins().weights().sum());
   set_weight(m_problem.weight);
   set_targets(targets);
@@ -113,21 +114,8 @@ Points Relaxed_positions::present_points() const
 
 Spin_result Relaxed_positions::present()
 {
-  const auto& system = m_transformation.system();
-  const Dirac_solution s = m_scales.solution();
-  Spin_result result = m_transformation.integrate(s.lambda);
-  Spin_report& r = result.report;
-  static_cast<Dirac_evidence&>(r) = in_units(s, m_transformation.domain().unit());
-  static_cast<Dirac_evidence::Seconds&>(r.seconds) = s.seconds;
-  r.converged = s.converged && result.positions.allFinite();
-  if (!system.is_closed())
-    r.boundary_fault =
-        boundary_fault(system.surface(),
-                       system.is_self_adjoint() || !system.directions() ? 0 : s.dirac_residual, r);
-  if (m_problem.scales.bound) r.scales = m_scales.scales();
-  if (!m_closing) return result;
-  r.period_defect = m_closing->period_defect(transformed_edges(system.surface(), s.lambda));
-  r.period_limit = Period_limit()(r, 1);
+  Spin_result result = m_transformation.surface_of(m_scales.solution());
+  if (m_problem.scales.bound) result.report.scales = m_scales.scales();
   return result;
 }
 

@@ -4,7 +4,6 @@
 #include <Conformal_geometry_processing/linear_algebra/krylov/Eigensolver_result.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 #include <Conformal_geometry_processing/spin/Control_point.h>
-#include <Conformal_geometry_processing/spin/Exactness_constraints.h>
 #include <Conformal_geometry_processing/spin/Period_residual.h>
 #include <Conformal_geometry_processing/spin/Position_residual.h>
 #include <Conformal_geometry_processing/spin/Relaxed_scales.h>
@@ -74,7 +73,8 @@ class Relaxed_positions {
   /// the control points on the present surface
   Points present_points() const;
 
-  /// the present surface, with its report and all costs since `reset_costs()`
+  /// \brief the present surface, with its report and all costs since `reset_costs()`; without
+  /// positions if the search was cancelled
   Spin_result present();
   void reset_costs() { m_scales.reset_costs(); }
 
@@ -90,7 +90,6 @@ class Relaxed_positions {
 
   Transformation& m_transformation;
   Problem m_problem;
-  const Exactness_constraints* m_closing;  // or null
   Position_residual m_positions;
   std::optional<Period_residual> m_periods;
   double m_weight = 1;

@@ -29,6 +29,9 @@ void require_values(const Eigen::VectorXd& values, Eigen::Index vertices, bool i
 
 void Scale_control::require(Eigen::Index vertices, const std::string& function) const
 {
+  if (!bound && factors.size() + weights.size() > 0)
+    throw Precondition_error(function,
+                             "wanted factors of lengths, and weights, need a scale bound");
   if (!bound) return;
   if (!(*bound > 1 && std::isfinite(*bound)))
     throw Precondition_error(

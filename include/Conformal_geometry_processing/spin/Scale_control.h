@@ -13,6 +13,16 @@
 namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgSpin
+/// the bound on factors of lengths, in the library, the program, Python and the studio, unless the
+/// caller gives another one
+inline constexpr double default_scale_bound = 2;
+
+/// \ingroup PkgSpin
+/// the same relative to wanted factors: these are mostly within a factor of 2 of the present
+/// lengths, so with a bound of 2 nothing would change
+inline constexpr double default_bound_of_wanted_scales = 1.25;
+
+/// \ingroup PkgSpin
 /// \brief how much a transformation may change lengths.
 struct Scale_control {
   /// > 1: lengths are multiplied by factors in [1 / bound, bound], relative to `factors`, on 98 %
@@ -21,7 +31,8 @@ struct Scale_control {
   Eigen::VectorXd factors = {};  ///< wanted, |V|, positive; empty: 1 everywhere
   Eigen::VectorXd weights = {};  ///< |V|, of the areas; 0: lengths may change freely. Empty: 1
 
-  /// \throw Precondition_error naming the first vertex with an unsuitable value
+  /// \throw Precondition_error naming the first vertex with an unsuitable value, or if there are
+  /// factors or weights but no bound
   void require(Eigen::Index vertices, const std::string& function) const;
 };
 

@@ -158,6 +158,11 @@ class Spin_transformation {
   /// \throw Solver_error if the Laplacian cannot be factored
   Spin_result integrate(Quaternion_vector<double> lambda);
 
+  /// \brief the surface of relaxed spins in the frame, with its report; without positions if they
+  /// were cancelled.
+  /// \param tolerance of the spins, which handles need not close better than
+  Spin_result surface_of(internal::Dirac_solution found, double tolerance = 0);
+
  private:
   /// everything that depends on the positions
   struct Stage {
@@ -201,11 +206,6 @@ class Spin_transformation {
   /// tells what is kept of rho, or added to it
   void tell_shares(const internal::Relaxed_scales& found, const Eigen::VectorXd& wanted,
                    const internal::Scale_control& control, Spin_report& report);
-
-  /// \brief the surface of spins in the frame, with its report.
-  /// \param closing what tells whether handles are closed, or null
-  Spin_result surface_of(internal::Dirac_solution found,
-                         const internal::Exactness_constraints* closing, double tolerance);
 
   /// a solution in the frame, with its part of the report in the unit of the mesh
   Spin_result in_units(internal::Dirac_solution s) const;

@@ -34,4 +34,18 @@ struct Spin_transformation_options {
   Spin_solvers solvers = {};  ///< for the linear systems
 };
 
+namespace internal {
+
+/// \ingroup PkgSpin
+/// \brief the bound on lengths where the caller gives none: `default_scale_bound`, or
+/// `default_bound_of_wanted_scales` if there are wanted factors; no bound where the boundary has
+/// prescribed positions or directions, which fix scales.
+inline std::optional<double> default_bound(const Spin_transformation_options& options)
+{
+  if (options.boundary.targets.cols() > 0) return std::nullopt;
+  return options.scales.factors.size() > 0 ? default_bound_of_wanted_scales : default_scale_bound;
+}
+
+}  // namespace internal
+
 }  // namespace Conformal_geometry_processing

@@ -99,15 +99,14 @@ Spin_result Spin_transformation::relaxed(const Curvature_potential& rho,
   internal::Spin_residuals others;
   std::optional<internal::Period_residual> periods;
   if (loops) others.push_back(&periods.emplace(system().surface(), *loops));
-  double period_weight = 1e4;  // leaves defects that nobody sees
-  if (loops) periods->set_weight(period_weight);
+  double period_weight = internal::Period_residual::default_weight;
   const Eigen::VectorXd wanted =
       domain().unit() * internal::values_at_vertices(domain().mesh(), rho);
   internal::Relaxed_scales_options search;
   search.spins.weights.factor = stiffness;
   internal::Relaxed_scales scales(system(), wanted, control, others, search);
   scales.run(m_visits.guarded(go_further));
-  const auto surface = [&] { return surface_of(scales.solution(), loops, options.tolerance); };
+  const auto surface = [&] { return surface_of(scales.solution(), options.tolerance); };
   Spin_result result = surface();
   const int max_tries = 4;
   for (int i = 0; i < max_tries && !result.report.cancelled; ++i) {
@@ -143,16 +142,16 @@ void Spin_transformation::tell_shares(const internal::Relaxed_scales& found,
   }
 }
 
-Spin_result Spin_transformation::surface_of(internal::Dirac_solution found,
-                                            const internal::Exactness_constraints* closing,
-                                            double tolerance)
+Spin_result Spin_transformation::surface_of(internal::Dirac_solution found, double tolerance)
 {
   Spin_result result = in_units(std::move(found));
   Spin_report& r = result.report;
   if (r.cancelled) return result;
   reconstruct(result);
-  if (!closing) return result;
-  r.period_defect = closing->period_defect(transformed_edges(system().surface(), result.lambda));
+  r.converged = r.converged && result.positions.allFinite();
+  const internal::Exactness_constraints* const loops = closing();
+  if (!loops) return result;
+  r.period_defect = loops->period_defect(transformed_edges(system().surface(), result.lambda));
   r.period_limit = internal::Period_limit{m_options.max_period_defect, tolerance}(r, 1);
   return result;
 }

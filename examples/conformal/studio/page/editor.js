@@ -169,7 +169,7 @@ const pull = {
 };
 
 function chooseShape(k) {
-  if (!sessions.has(k)) sessions.set(k, new Session(shapeOf(k), kernels, {show, fail}));
+  if (!sessions.has(k)) sessions.set(k, new Session(shapeOf(k), kernels, studio.bound, {show, fail}));
   session?.leave();
   session = sessions.get(k);
   shownBase = null;

@@ -60,12 +60,14 @@ function toTargetFile(shape, targets) {
   return JSON.stringify({targets: targets.map(inFile)}) + '\n';
 }
 
+const boundOf = ({bound}) => ['--max-scale', bound > 1 ? String(bound) : 'none'];
+
 /** The options of one step. */
 const optionsOf = {
   flow: ({steps}) => ['--steps', String(steps)],
-  deform: ({bound}, file) => ['--targets', file, ...bound > 1 ? ['--max-scale', String(bound)] : []],
-  spin: ({amplitude, bound}, file) => ['--rho-file', file, '--max-scale', bound > 1 ? String(bound) : 'none',
-                                       ...amplitude === 1 ? [] : [`--amplitude=${amplitude}`]]
+  deform: (step, file) => ['--targets', file, ...boundOf(step)],
+  spin: (step, file) => ['--rho-file', file, ...boundOf(step),
+                         ...step.amplitude === 1 ? [] : [`--amplitude=${step.amplitude}`]]
 };
 
 /** The command of one step: its input with the options for it, and what it makes. */

@@ -37,12 +37,12 @@ class Session {
   #continues = false;
   #seen = {};       // what the last preview has shown
 
-  constructor(shape, kernels, {show, fail}) {
+  constructor(shape, kernels, bound, {show, fail}) {
     this.shape = shape;
     this.kernels = kernels; // {quick, exact}
     this.show = show;
     this.fail = fail;
-    this.history = new History(freshState(shape.points, shape.faces.length / 3, [], 2));
+    this.history = new History(freshState(shape.points, shape.faces.length / 3, [], bound));
   }
 
   get state() { return this.history.state; }

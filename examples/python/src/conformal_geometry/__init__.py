@@ -6,7 +6,7 @@ A mesh is two arrays: V, n x 3, the points of its vertices, and F, m x 3, the ve
 triangles, counter-clockwise seen from outside. Nothing is changed in place; same input, same bits.
 
 >>> import conformal_geometry as cg
->>> result = cg.spin_transform(V, F, rho, max_scale=2)  # rho: change of mean curvature, 1/length
+>>> result = cg.spin_transform(V, F, rho)  # rho: the change of mean curvature, in 1/length
 >>> result or print(result.report.fault)
 >>> result.positions
 """
@@ -17,7 +17,7 @@ from ._derivative import Spin_derivative
 from ._errors import Error, Precondition_error, Solver_error
 from ._fit import Nearest_result, blend, nearest
 from ._flow import Flow_result, willmore_flow
-from ._kernels import __version__
+from ._kernels import __version__, default_max_scale
 from ._matrices import (cotan_laplacian, dirac_energy, dirac_operator, face_areas, mean_curvature,
                         quasi_conformal_errors, vertex_areas)
 from ._reports import (Area_distortion, Class_snap_report, Conformality, Distribution, Flow_report,
@@ -38,5 +38,6 @@ __all__ = [
     "Dirac_spectrum", "Class_snap_result", "Progress", "Spin_report", "Flow_report",
     "Flow_step_report", "Parameterization_report", "Class_snap_report", "Conformality",
     "Distribution", "Length_cross_ratio_change", "Area_distortion", "Mollification", "Scales",
-    "Realised_curvature", "Mean_and_max", "Limits", "Error", "Precondition_error", "Solver_error", "__version__",
+    "Realised_curvature", "Mean_and_max", "Limits", "default_max_scale", "Error", "Precondition_error",
+    "Solver_error", "__version__",
 ]

@@ -10,9 +10,10 @@ import numpy as np
 
 from . import _kernels
 from ._arrays import faces, points, real, real_or_none
+from ._kernels import default_max_scale
 from ._report import build
 from ._reports import Spin_report, known
-from ._spin import Callback, Spin_result, _progress
+from ._spin import Callback, Spin_result, _progress, scale_bound
 
 
 @dataclass(frozen=True, eq=False)
@@ -30,13 +31,13 @@ class Conformal_deformation:
     """
 
     def __init__(self, V: Any, F: Any, *, position_weight: Optional[float] = None,
-                 max_scale: Optional[float] = None, vertex_scale: Any = None,
+                 max_scale: Optional[float] = default_max_scale, vertex_scale: Any = None,
                  vertex_scale_weight: Any = None, vertex_region: Any = None,
                  exactness: Optional[str] = "adjoint", mollification: Optional[float] = None,
                  function: str = "Conformal_deformation") -> None:
         self._function = function
         options = dict(
-            position_weight=position_weight, max_scale=max_scale, exactness=exactness,
+            position_weight=position_weight, exactness=exactness, **scale_bound(max_scale),
             vertex_scale=real_or_none(vertex_scale, function, "vertex_scale"),
             vertex_scale_weight=real_or_none(vertex_scale_weight, function, "vertex_scale_weight"),
             vertex_region=real_or_none(vertex_region, function, "vertex_region"),
@@ -44,24 +45,21 @@ class Conformal_deformation:
         self._kernel = _kernels.Deformation(points(V, function), faces(F, function), options,
                                             function)
 
-    def deform(self, targets: Mapping[int, Any], *, tolerance: float = 1e-8, random_seed: int = 0,
-               limits: Optional[Dict[str, float]] = None,
+    def deform(self, targets: Mapping[int, Any], *, limits: Optional[Dict[str, float]] = None,
                callback: Callback = None) -> Deformation_result:
         """The initial surface with vertices at the targets. With the vertices of the last call,
         the search starts from its result: a small move takes a few factorizations."""
         places = points([real(to, self._function, "targets") for to in targets.values()],
                         self._function)
         positions, spins, report, rho = self._kernel.deform(
-            [int(v) for v in targets], places,
-            dict(tolerance=tolerance, random_seed=random_seed), known(limits), _progress(callback))
+            [int(v) for v in targets], places, known(limits), _progress(callback))
         return Deformation_result(positions, spins, build(Spin_report, report), rho)
 
 
 def deform(V: Any, F: Any, targets: Mapping[int, Any], *, position_weight: Optional[float] = None,
-           max_scale: Optional[float] = None, vertex_scale: Any = None,
+           max_scale: Optional[float] = default_max_scale, vertex_scale: Any = None,
            vertex_scale_weight: Any = None, vertex_region: Any = None,
            exactness: Optional[str] = "adjoint", mollification: Optional[float] = None,
-           tolerance: float = 1e-8, random_seed: int = 0,
            limits: Optional[Dict[str, float]] = None,
            callback: Callback = None) -> Deformation_result:
     """Deforms a surface conformally so that vertices move to given places, exactly: by the least
@@ -96,5 +94,4 @@ def deform(V: Any, F: Any, targets: Mapping[int, Any], *, position_weight: Optio
         V, F, position_weight=position_weight, max_scale=max_scale, vertex_scale=vertex_scale,
         vertex_scale_weight=vertex_scale_weight, vertex_region=vertex_region, exactness=exactness,
         mollification=mollification, function="deform").deform(
-            targets, tolerance=tolerance, random_seed=random_seed, limits=limits,
-            callback=callback)
+            targets, limits=limits, callback=callback)

@@ -27,7 +27,7 @@ class Spin_derivative:
     - spins: of lambda with constant mean square, orthogonal to lambda, for constant factors from
       the right only turn the surface; y is projected likewise.
 
-    rho is applied as it is: without control of scale, and in one step. The parameters are those of
+    The transformation is that by ``max_scale=None``, in one step. The parameters are those of
     ``spin_transform()``; prescribed positions are refused. Not differentiable where two
     eigenvalues meet.
 
@@ -43,7 +43,8 @@ class Spin_derivative:
         name = "Spin_derivative"
         kernel = _kernels.Derivative(
             points(V, name), faces(F, name), real(rho, name, "values of rho"), on or "",
-            dict(boundary=boundary, mollification=mollification), dict(tolerance=tolerance))
+            dict(boundary=boundary, mollification=mollification, max_scale=None),
+            dict(tolerance=tolerance))
         inputs = kernel.inputs()
         masses = kernel.masses()
         n = len(masses)

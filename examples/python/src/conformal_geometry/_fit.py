@@ -25,7 +25,7 @@ class Nearest_result(Spin_result):
 
 def nearest(V: Any, target: Any, F: Any, *, blend: float = 0., keep_curvature: bool = False,
             normal_weight: float = 1., distance_tolerance: float = 1e-4,
-            direction: Any = (1, 0, 0), vertex_scale: Any = None,
+            direction: Any = (1, 0, 0), max_scale: Optional[float] = None, vertex_scale: Any = None,
             exactness: Optional[str] = "adjoint", max_period_defect: Optional[float] = None,
             mollification: Optional[float] = None, eigenproblem: str = "standard",
             tolerance: float = 1e-8, max_iterations: int = 200, max_substeps: int = 10,
@@ -55,6 +55,9 @@ def nearest(V: Any, target: Any, F: Any, *, blend: float = 0., keep_curvature: b
     direction : (t, n, b)
         what of the boundary frame is taken from the target; (0, 0, 1), the binormals, can be
         realised for any
+    max_scale : float > 1, optional
+        b: lengths are multiplied by factors in [1/b, b] on 98 % of the area; by default there is no
+        bound, for the lengths are those of the target
     vertex_scale : (n,) array, optional
         factors of lengths that are to come on top; keeps the curvature
     other parameters
@@ -63,7 +66,7 @@ def nearest(V: Any, target: Any, F: Any, *, blend: float = 0., keep_curvature: b
     name = "nearest"
     options = dict(direction=real(direction, name, "directions"), keep_curvature=keep_curvature,
                    normal_weight=float(normal_weight),
-                   distance_tolerance=float(distance_tolerance),
+                   distance_tolerance=float(distance_tolerance), max_scale=max_scale,
                    vertex_scale=real_or_none(vertex_scale, name, "factors"), exactness=exactness,
                    max_period_defect=max_period_defect, mollification=mollification,
                    eigenproblem=eigenproblem, tolerance=tolerance, max_iterations=max_iterations,

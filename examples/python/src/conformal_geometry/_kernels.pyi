@@ -6,6 +6,7 @@ import numpy as np
 from ._boundary import Boundary_condition
 
 __version__: str
+default_max_scale: float
 
 _Array = np.ndarray
 _Options = Dict[str, Any]
@@ -24,7 +25,7 @@ class Transformation:
 
 class Deformation:
     def __init__(self, V: _Array, F: _Array, options: _Options, function: str) -> None: ...
-    def deform(self, vertices: List[int], targets: _Array, options: _Options, limits: _Options,
+    def deform(self, vertices: List[int], targets: _Array, limits: _Options,
                callback: _Callback) -> Tuple[_Array, _Array, _Fields, _Array]: ...
 
 class Derivative:

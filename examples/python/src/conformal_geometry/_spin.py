@@ -12,6 +12,7 @@ from . import _kernels
 from ._arrays import faces, points, real, real_or_none
 from ._boundary import Boundary_condition
 from ._derivative import Spin_derivative
+from ._kernels import default_max_scale
 from ._report import Result, build
 from ._reports import Spin_report, known
 
@@ -46,6 +47,11 @@ def _progress(callback: Callback) -> Optional[Callable[[int, float, float], Opti
     return lambda iteration, value, estimate: call(Progress(iteration, value, estimate))
 
 
+def scale_bound(max_scale: Optional[float]) -> Dict[str, Optional[float]]:
+    """The option max_scale, none for the default: then the kernels choose, as for all callers."""
+    return {} if max_scale is default_max_scale else {"max_scale": max_scale}
+
+
 def spin_result(positions: np.ndarray, spins: np.ndarray, report: Dict[str, Any]) -> Spin_result:
     return Spin_result(positions, spins, build(Spin_report, report))
 
@@ -58,7 +64,7 @@ class Spin_transformation:
     """
 
     def __init__(self, V: Any, F: Any, *, boundary: Optional[Boundary_condition] = None,
-                 max_scale: Optional[float] = None, vertex_scale: Any = None,
+                 max_scale: Optional[float] = default_max_scale, vertex_scale: Any = None,
                  vertex_scale_weight: Any = None, exactness: Optional[str] = "adjoint",
                  max_period_defect: Optional[float] = None,
                  mollification: Optional[float] = None, exact_conformal_class: bool = False,
@@ -67,7 +73,7 @@ class Spin_transformation:
         self._faces = faces(F, function)
         self._boundary, self._mollification = boundary, mollification
         options = dict(
-            boundary=boundary, max_scale=max_scale, exactness=exactness,
+            boundary=boundary, exactness=exactness, **scale_bound(max_scale),
             vertex_scale=real_or_none(vertex_scale, function, "vertex_scale"),
             vertex_scale_weight=real_or_none(vertex_scale_weight, function, "vertex_scale_weight"),
             max_period_defect=max_period_defect, mollification=mollification,
@@ -90,8 +96,7 @@ class Spin_transformation:
                   branch: str = "nearest", random_seed: int = 0,
                   limits: Optional[Dict[str, float]] = None,
                   callback: Callback = None) -> Spin_result:
-        """The surface whose mean curvature is changed by rho; the object stays as it is. One
-        numeric factorization and a few solves."""
+        """The surface whose mean curvature is changed by rho; the object stays as it is."""
         dirac = dict(tolerance=tolerance, max_iterations=max_iterations, max_substeps=max_substeps,
                      eigenproblem=eigenproblem, kernel_tolerance=kernel_tolerance, branch=branch,
                      random_seed=random_seed)
@@ -106,14 +111,14 @@ class Spin_transformation:
 
     def derivative(self, rho: Any, *, on: Optional[str] = None,
                    tolerance: float = 1e-12) -> Spin_derivative:
-        """The derivative of the transformation at rho, see ``Spin_derivative``."""
+        """The derivative at rho of the transformation without a bound, see ``Spin_derivative``."""
         return Spin_derivative(self._kernel.positions(), self._faces, rho, on=on,
                                tolerance=tolerance, boundary=self._boundary,
                                mollification=self._mollification)
 
 
 def spin_transform(V: Any, F: Any, rho: Any, *, on: Optional[str] = None,
-                   max_scale: Optional[float] = None, vertex_scale: Any = None,
+                   max_scale: Optional[float] = default_max_scale, vertex_scale: Any = None,
                    vertex_scale_weight: Any = None,
                    boundary: Optional[Boundary_condition] = None,
                    exactness: Optional[str] = "adjoint",
@@ -130,7 +135,8 @@ def spin_transform(V: Any, F: Any, rho: Any, *, on: Optional[str] = None,
     Solves (D - rho) lambda = gamma lambda and integrates the edges conjugate(lambda) df lambda.
     Then H~ |lambda|^2 = H + rho + gamma: positive rho bulges along the normals, and constants have
     no effect. Angles are kept up to the error of the discretisation; area and centroid are kept.
-    One sparse factorization of a quaternionic matrix on the vertices, and about ten solves.
+    On limbs, rho alone may scale lengths by large factors: by default the nearest rho is applied
+    that scales them by no more than 2.
 
     Parameters
     ----------
@@ -142,14 +148,16 @@ def spin_transform(V: Any, F: Any, rho: Any, *, on: Optional[str] = None,
         the change of mean curvature in 1/length of the mesh, per vertex or per face
     on : "vertices" or "faces", optional
         what rho belongs to, where its length does not tell
-    max_scale : float > 1, optional
+    max_scale : float > 1, or None
         b: lengths are multiplied by factors in [1/b, b] on 98 % of the area; where rho would do
         more, the nearest rho that does not is applied (``report.scales`` tells what was kept), and
-        less of it where the map would be beyond ``limits``. 1.5 to 3 keep limbs recognisable. By
-        default rho is applied as it is.
+        less of it where the map would be beyond ``limits``. 1.5 to 3 keep limbs recognisable. The
+        default is 2, 1.25 with vertex_scale, and no bound where the boundary has prescribed
+        positions or directions. None: no bound, rho is applied as it is, and lambda is the
+        eigenvector of the thesis
     vertex_scale, vertex_scale_weight : (n,) arrays, optional
-        with max_scale: wanted factors of lengths, to which the bound is relative, and how much the
-        size matters there; 0 where lengths may change freely
+        wanted factors of lengths, to which the bound is relative, and how much the size matters
+        there; 0 where lengths may change freely
     boundary : Boundary_condition, optional
         by default a boundary is free
     exactness : "adjoint", "thesis" or None
@@ -164,7 +172,8 @@ def spin_transform(V: Any, F: Any, rho: Any, *, on: Optional[str] = None,
         whether the result is moved to the surface with exactly the length cross-ratios of the mesh
         (``report.exact_class``)
     tolerance : float
-        upper bound of the error estimate of lambda
+        upper bound of the error estimate of lambda; this and the next options are for the
+        eigenvector, which there is only without a bound on lengths
     max_iterations, max_substeps : int
         bounds of the work: iterations of the eigensolver, substeps of a strong rho
     eigenproblem : "standard" or "generalized"
