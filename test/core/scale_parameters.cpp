@@ -68,7 +68,7 @@ class Scale_bound : public testing::Test {
   template <class NamedParameters = params::Default_named_parameters>
   Found spun(const NamedParameters& np = params::default_values()) const
   {
-    Mesh mesh = to_cgal_mesh<Mesh>(view);
+    Mesh mesh = original;
     const auto rho = boost::make_function_property_map<Vertex>(
         [this](Vertex v) { return values[static_cast<Eigen::Index>(v)]; });
     const CGP::Spin_report report = CGP::spin_transform(mesh, rho, np);
@@ -78,7 +78,7 @@ class Scale_bound : public testing::Test {
   template <class NamedParameters = params::Default_named_parameters>
   Found deformed(const NamedParameters& np = params::default_values()) const
   {
-    Mesh mesh = to_cgal_mesh<Mesh>(view);
+    Mesh mesh = original;
     std::vector<std::pair<Vertex, Point>> targets;
     for (const auto& p : one_moved(view, 7, .2))
       targets.emplace_back(Vertex(static_cast<unsigned>(p.vertices[0])),
@@ -87,7 +87,8 @@ class Scale_bound : public testing::Test {
     return {report, view_of(mesh).positions()};
   }
 
-  const Mesh_view view = view_of(to_cgal_mesh<Mesh>(dumbbell(3)));  // corners as read from a mesh
+  const Mesh original = to_cgal_mesh<Mesh>(dumbbell(3));
+  const Mesh_view view = view_of(original);
   Eigen::VectorXd values = rings(view, 4, 3);
   const boost::static_property_map<double, Vertex> factor{3};
 };
@@ -118,7 +119,7 @@ TEST_F(Scale_bound, can_be_none)
   EXPECT_EQ(plain.report.scales.bound, 0);
   const CGP::Spin_result eigenvector =
       CGP::Spin_transformation(view).transform(CGP::Curvature_potential::on_vertices(values));
-  EXPECT_EQ(plain.positions, eigenvector.positions);
+  EXPECT_TRUE(plain.positions == eigenvector.positions);
   EXPECT_EQ(plain.report.eigenvalue, eigenvector.report.eigenvalue);
   EXPECT_EQ(deformed(params::scale_bound(std::nullopt)).report.scales.bound, 0);
 }

@@ -48,9 +48,10 @@ def test_changes_the_curvature_as_asked():
 
 
 def test_constants_have_no_effect():
-    plain, shifted = (cg.spin_transform(V, F, RHO + c) for c in (0, 1.5))
-    assert np.abs(plain.positions - shifted.positions).max() < 1e-6
-    assert shifted.report.eigenvalue == pytest.approx(plain.report.eigenvalue - 1.5, abs=1e-6)
+    for bound in (None, cg.default_max_scale):
+        plain, shifted = (cg.spin_transform(V, F, RHO + c, max_scale=bound) for c in (0, 1.5))
+        assert np.abs(plain.positions - shifted.positions).max() < 1e-6
+        assert shifted.report.eigenvalue == pytest.approx(plain.report.eigenvalue - 1.5, abs=1e-6)
 
 
 def test_commutes_with_similarities():

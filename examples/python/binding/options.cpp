@@ -117,7 +117,7 @@ CGP::Spin_transformation_options transformation_options(const py::dict& options,
   if (options.contains("max_scale"))
     take(options, "max_scale", o.scales.bound);
   else
-    o.scales.bound = default_bound(o);
+    o.scales.bound = CGP::internal::default_bound(o);
   return o;
 }
 

@@ -203,7 +203,7 @@ class Spin_transformation {
                       double stiffness, const Dirac_options& options,
                       const internal::Go_further& go_further);
 
-  /// tells what is kept of rho, or added to it
+  /// tells what is kept of rho, or added to it, the constant included
   void tell_shares(const internal::Relaxed_scales& found, const Eigen::VectorXd& wanted,
                    const internal::Scale_control& control, Spin_report& report);
 

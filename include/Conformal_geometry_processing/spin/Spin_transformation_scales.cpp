@@ -129,12 +129,14 @@ void Spin_transformation::tell_shares(const internal::Relaxed_scales& found,
                                       const internal::Scale_control& control, Spin_report& report)
 {
   const Spin_report::Scales kept = found.scales();
+  const Eigen::VectorXd& areas = system().areas();
+  const Eigen::VectorXd added = found.spins().rho() - wanted;
+  report.eigenvalue = areas.dot(added) / areas.sum() / domain().unit();
   if (control.bound) report.scales = kept;
   if (!closing()) return;
   if (turns_directions()) {
     const double sphere = std::sqrt(4 * std::acos(-1.));
-    const Eigen::VectorXd added = found.spins().rho() - wanted;
-    report.added_share = std::sqrt(system().areas().dot(added.cwiseAbs2())) / sphere;
+    report.added_share = std::sqrt(areas.dot(added.cwiseAbs2())) / sphere;
   } else {
     report.missing_share = kept.distance();
     const double left_out = (std::min)(kept.distance(), 1.);
