@@ -7,8 +7,6 @@
 
 #include <Conformal_geometry_processing/measure/distortion.h>
 
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace conformal {
@@ -31,24 +29,23 @@ Outcome judged(const std::string& command, const Evidence& evidence,
   return outcome;
 }
 
-/// how much further than to its bound a preview may change lengths, as a power
-constexpr double tolerated_excess = 1.1;
-
-/// the logarithm of the largest change of a length; never zero
-double log_range(const CGP::Spin_report& report)
-{
-  const auto& scale = report.conformality.scale;
-  return (std::max)({std::log(scale.max_scale), -std::log(scale.min_scale), 1e-9});
-}
-
 }  // namespace
 
 Studio_surface::Studio_surface(const CGP::Mesh_view& mesh)
-    : m_mesh(mesh),
-      m_unit(User_frame(mesh).unit()),
-      m_plain(mesh, {}, "studio"),
-      m_positions(mesh.positions())
-{}
+    : m_mesh(mesh), m_unit(User_frame(mesh).unit()), m_positions(mesh.positions())
+{
+  (void)transformation(CGP::internal::default_scale_bound);  // checks the mesh
+}
+
+CGP::Spin_transformation& Studio_surface::transformation(double bound)
+{
+  if (m_transformation && m_bound == bound) return *m_transformation;
+  CGP::Spin_transformation_options options;
+  if (bound > 1) options.scales.bound = bound;
+  m_transformation.emplace(m_mesh, options, "studio");
+  m_bound = bound;
+  return *m_transformation;
+}
 
 CGP::Curvature_potential Studio_surface::in_mesh(const Eigen::VectorXd& rho) const
 {
@@ -64,30 +61,12 @@ void Studio_surface::keep(CGP::Spin_result result)
 
 void Studio_surface::preview(const Eigen::VectorXd& rho, double bound, bool continues)
 {
-  if (!m_preview) m_preview.emplace(m_plain);
-  if (!continues) {
-    m_preview->restart();
-    m_preview_share = 1;
-  }
-  CGP::Spin_result result = m_preview->transform(in_mesh(m_preview_share * rho));
-  if (bound > 1) {
-    const double excess = log_range(result.report) / std::log(bound);
-    m_preview_share = (std::min)(1., m_preview_share / excess);
-    if (excess > tolerated_excess) result = m_preview->transform(in_mesh(m_preview_share * rho));
-  }
-  keep(std::move(result));
+  keep(transformation(bound).preview(in_mesh(rho), continues));
 }
 
 void Studio_surface::transform(const Eigen::VectorXd& rho, double bound)
 {
-  if (!(bound > 1)) return keep(m_plain.transform(in_mesh(rho)));
-  if (!m_bounded || m_bound != bound) {
-    CGP::Spin_transformation_options options;
-    options.scales.bound = bound;
-    m_bounded.emplace(m_mesh, options, "studio");
-    m_bound = bound;
-  }
-  keep(m_bounded->transform(in_mesh(rho)));
+  keep(transformation(bound).transform(in_mesh(rho)));
 }
 
 void Studio_surface::deform(const std::vector<CGP::internal::Control_point>& points, double bound,

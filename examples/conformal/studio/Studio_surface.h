@@ -7,7 +7,6 @@
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 #include <Conformal_geometry_processing/spin/Conformal_deformation.h>
 #include <Conformal_geometry_processing/spin/Control_point.h>
-#include <Conformal_geometry_processing/spin/Spin_preview.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
 
 #include <Eigen/Core>
@@ -29,12 +28,9 @@ class Studio_surface {
   /// and of positive areas
   explicit Studio_surface(const CGP::Mesh_view& mesh);
 
-  /// \brief Approximates the surface of a rho, quickly: from the last approximation if `continues`.
-  ///
-  /// Where lengths would change by more than the bound, it is the surface of that multiple of rho
-  /// with which they change about as much: nearer to the one that `transform()` finds.
+  /// \brief Approximates what `transform()` finds, quickly: from the last approximation if
+  /// `continues`.
   /// \param rho of each vertex, in the user's frame
-  /// \param bound as for `transform()`
   void preview(const Eigen::VectorXd& rho, double bound, bool continues);
 
   /// Computes what `conformal spin --rho-file` does, without the second try on thin faces.
@@ -59,15 +55,13 @@ class Studio_surface {
 
  private:
   CGP::Curvature_potential in_mesh(const Eigen::VectorXd& rho) const;
+  CGP::Spin_transformation& transformation(double bound);
   void keep(CGP::Spin_result result);
 
   CGP::Mesh_view m_mesh;
   double m_unit;  // of the user's frame
-  CGP::Spin_transformation m_plain;
-  std::optional<CGP::Spin_transformation> m_bounded;
-  double m_bound = 0;
-  std::optional<CGP::internal::Spin_preview> m_preview;
-  double m_preview_share = 1;  // of rho
+  std::optional<CGP::Spin_transformation> m_transformation;
+  double m_bound = 0;  // of it
   std::optional<CGP::internal::Conformal_deformation> m_deformation;
   double m_deformation_bound = 0;
   std::optional<CGP::Conformal_willmore_flow> m_flow;

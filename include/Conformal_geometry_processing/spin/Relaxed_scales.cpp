@@ -129,6 +129,12 @@ auto Relaxed_scales::run(const Go_further& go_further, const Ask& ask) -> End
   return m_end;
 }
 
+auto Relaxed_scales::follow(const Eigen::VectorXd& rho, const Go_further& go_further) -> End
+{
+  m_rho = effective(rho, m_system);
+  return go_on(go_further);
+}
+
 auto Relaxed_scales::stiffen(double factor, const Go_further& go_further) -> End
 {
   m_spins.stiffen(factor);

@@ -69,6 +69,9 @@ class Relaxed_scales {
   /// \throw as `run()`
   End go_on(const Go_further& go_further = Always_go_further());
 
+  /// \brief likewise for another rho that is near.
+  End follow(const Eigen::VectorXd& rho, const Go_further& go_further = Always_go_further());
+
   /// \brief likewise with larger weights of the misfit, for edges that close up better.
   End stiffen(double factor, const Go_further& go_further = Always_go_further());
 

@@ -72,6 +72,7 @@ void Spin_transformation::set_positions(const Points& positions)
     m_stage->is_poisson_old = true;
     m_stage->exactness.reset();
     m_stage->closing.reset();
+    m_stage->preview.reset();
     require_condition(domain().surface(), m_options.boundary, m_function);
     system().update_geometry();
   };
@@ -239,8 +240,7 @@ Spin_result Spin_transformation::judged(Spin_result result, const Curvature_pote
     internal::check_smoothing("analysis", smoother->analyze_like(*pattern, system().solver()));
   }
   r.realised_curvature = internal::realised_curvature(
-      domain().measured(), domain().frame().to_frame(result.positions),
-      domain().unit() * internal::values_at_vertices(domain().mesh(), rho),
+      domain().measured(), domain().frame().to_frame(result.positions), in_frame(rho),
       !system().is_self_adjoint(), system().surface(), pattern, *smoother);
   r.seconds.certificate += watch.lap();
   return result;

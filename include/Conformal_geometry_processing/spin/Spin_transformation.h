@@ -22,7 +22,8 @@ namespace Conformal_geometry_processing {
 
 namespace internal {
 class Relaxed_scales;
-}
+struct Relaxed_surface;
+}  // namespace internal
 
 /// \ingroup PkgSpin
 /// \brief computes spin transformations of a surface: finds the conformally equivalent surface
@@ -140,6 +141,13 @@ class Spin_transformation {
   Spin_result transform(const Curvature_potential& rho, const Dirac_options& options = {},
                         const internal::Go_further& go_further = internal::Always_go_further()) &&;
 
+  /// \brief approximates `transform()` for a rho that changes little from call to call, as under a
+  /// brush: where lengths are bounded or loops have to close, by a few steps from the spins of the
+  /// last call.
+  /// \param continues false: from the beginning, with some steps more
+  /// \throw as `transform()`
+  Spin_result preview(const Curvature_potential& rho, bool continues);
+
   /// \brief a single transformation by the given rho, whether the edges stay exact or not.
   /// \throw as `transform()`
   Spin_result step(const Curvature_potential& rho, const Dirac_options& options = {},
@@ -175,6 +183,7 @@ class Spin_transformation {
     bool is_poisson_old = false;  // the surface has moved since the Laplacian was assembled
     std::optional<internal::Exactness_constraints> exactness, closing;
     std::optional<internal::Solver_ref<double>> smoother;  // of the curvature that is judged
+    std::shared_ptr<internal::Relaxed_surface> preview;
     double seconds;
   };
 
@@ -206,6 +215,9 @@ class Spin_transformation {
   /// tells what is kept of rho, or added to it, the constant included
   void tell_shares(const internal::Relaxed_scales& found, const Eigen::VectorXd& wanted,
                    const internal::Scale_control& control, Spin_report& report);
+
+  /// rho at vertices, in the frame
+  Eigen::VectorXd in_frame(const Curvature_potential& rho) const;
 
   /// a solution in the frame, with its part of the report in the unit of the mesh
   Spin_result in_units(internal::Dirac_solution s) const;

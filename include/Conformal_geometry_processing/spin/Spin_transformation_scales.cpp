@@ -90,28 +90,44 @@ bool is_sheared(const Spin_report& report)
   return !report.cancelled && !(report.closure_residual <= .95 * report.limits.closure);
 }
 
+/// a search for spins, with what closes handles and holes
+struct internal::Relaxed_surface {
+  std::optional<Period_residual> periods;
+  Relaxed_scales scales;
+
+  /// \param rho wanted, |V|, in the unit of the surface
+  Relaxed_surface(Spin_transformation& transformation, const Eigen::VectorXd& rho,
+                  const Scale_control& control, const Relaxed_scales_options& options)
+      : scales(transformation.system(), rho, control, closing(transformation), options)
+  {}
+
+ private:
+  Spin_residuals closing(Spin_transformation& transformation)
+  {
+    const Exactness_constraints* const loops = transformation.closing();
+    if (!loops) return {};
+    return {&periods.emplace(transformation.system().surface(), *loops)};
+  }
+};
+
 Spin_result Spin_transformation::relaxed(const Curvature_potential& rho,
                                          const internal::Scale_control& control, double stiffness,
                                          const Dirac_options& options,
                                          const internal::Go_further& go_further)
 {
-  const internal::Exactness_constraints* const loops = closing();
-  internal::Spin_residuals others;
-  std::optional<internal::Period_residual> periods;
-  if (loops) others.push_back(&periods.emplace(system().surface(), *loops));
-  double period_weight = internal::Period_residual::default_weight;
-  const Eigen::VectorXd wanted =
-      domain().unit() * internal::values_at_vertices(domain().mesh(), rho);
-  internal::Relaxed_scales_options search;
-  search.spins.weights.factor = stiffness;
-  internal::Relaxed_scales scales(system(), wanted, control, others, search);
+  const Eigen::VectorXd wanted = in_frame(rho);
+  internal::Relaxed_scales_options search_options;
+  search_options.spins.weights.factor = stiffness;
+  internal::Relaxed_surface search(*this, wanted, control, search_options);
+  internal::Relaxed_scales& scales = search.scales;
   scales.run(m_visits.guarded(go_further));
   const auto surface = [&] { return surface_of(scales.solution(), options.tolerance); };
   Spin_result result = surface();
+  double period_weight = internal::Period_residual::default_weight;
   const int max_tries = 4;
   for (int i = 0; i < max_tries && !result.report.cancelled; ++i) {
     const bool is_open = !(result.report.period_defect <= result.report.period_limit);
-    if (is_open) periods->set_weight(period_weight *= 30);
+    if (is_open) search.periods->set_weight(period_weight *= 30);
     if (!is_open && !is_sheared(result.report)) break;
     const double before = result.report.closure_residual;
     scales.stiffen(is_open ? 1 : 3, m_visits.guarded(go_further));
@@ -122,6 +138,35 @@ Spin_result Spin_transformation::relaxed(const Curvature_potential& rho,
   if (!result.report.cancelled) tell_shares(scales, wanted, control, result.report);
   internal::add_costs(result.report, take_unreported());
   return result;
+}
+
+Spin_result Spin_transformation::preview(const Curvature_potential& rho, bool continues)
+{
+  if (!is_relaxed()) return transform(rho);
+  const internal::Thread_team team;
+  m_visits.require_no_visit(m_function);
+  require_potential(rho);
+  const Eigen::VectorXd wanted = in_frame(rho);
+  auto& search = m_stage->preview;
+  internal::Relaxed_scales_options few;
+  few.max_steps = 6;
+  if (!search || !continues)
+    search = std::make_shared<internal::Relaxed_surface>(*this, wanted, m_options.scales, few);
+  internal::Relaxed_scales& scales = search->scales;
+  scales.reset_costs();
+  if (continues && scales.steps() > 0)
+    scales.follow(wanted);
+  else
+    scales.run();
+  Spin_result result = surface_of(scales.solution());
+  tell_shares(scales, wanted, m_options.scales, result.report);
+  internal::add_costs(result.report, take_unreported());
+  return judged(std::move(result), rho);
+}
+
+Eigen::VectorXd Spin_transformation::in_frame(const Curvature_potential& rho) const
+{
+  return domain().unit() * internal::values_at_vertices(domain().mesh(), rho);
 }
 
 void Spin_transformation::tell_shares(const internal::Relaxed_scales& found,
