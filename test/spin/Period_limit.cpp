@@ -16,30 +16,27 @@ Spin_report distorted_by(double distortion)
   return report;
 }
 
-TEST(Period_limit, is_shared_among_the_steps_if_it_is_given)
+TEST(Period_limit, is_what_is_given)
 {
-  const Period_limit limit{.004, 1e-8};
-  for (const double share : {1., .5, .25}) EXPECT_EQ(limit(distorted_by(.04), share), .004 * share);
+  for (const double distortion : {0., .04, 3.})
+    EXPECT_EQ((Period_limit{.004, 1e-8}(distorted_by(distortion))), .004);
 }
 
 TEST(Period_limit, falls_with_the_discretisation_error_otherwise)
 {
   const Period_limit limit{{}, 1e-8};
   for (const double distortion : {.06, .04, .02}) {
-    EXPECT_LE(limit(distorted_by(distortion), 1), .25 * distortion * (1 + 1e-9));
-    EXPECT_NEAR(limit(distorted_by(distortion), 1) / limit(distorted_by(distortion / 2), 1), 2,
-                1e-9);
+    EXPECT_LE(limit(distorted_by(distortion)), .25 * distortion * (1 + 1e-9));
+    EXPECT_NEAR(limit(distorted_by(distortion)) / limit(distorted_by(distortion / 2)), 2, 1e-9);
   }
 }
 
 TEST(Period_limit, is_neither_below_two_per_mille_nor_above_two_per_cent)
 {
   const Period_limit limit{{}, 1e-8};
-  EXPECT_EQ(limit(distorted_by(0), 1), .002);
-  EXPECT_EQ(limit(distorted_by(0), .5), .001);
-  EXPECT_EQ((Period_limit{{}, .003}(distorted_by(0), 1)), .003);
-  EXPECT_EQ(limit(distorted_by(3), 1), .02);
-  EXPECT_EQ(limit(distorted_by(3), .5), .01);
+  EXPECT_EQ(limit(distorted_by(0)), .002);
+  EXPECT_EQ((Period_limit{{}, .003}(distorted_by(0))), .003);
+  EXPECT_EQ(limit(distorted_by(3)), .02);
 }
 
 }  // namespace cgp_test::period_limit_tests

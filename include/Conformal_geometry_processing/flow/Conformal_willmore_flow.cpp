@@ -4,7 +4,6 @@
 #include <Conformal_geometry_processing/flow/Constrained_direction.h>
 #include <Conformal_geometry_processing/flow/step_fault.h>
 #include <Conformal_geometry_processing/mesh/Boundary_frames.h>
-#include <Conformal_geometry_processing/spin/closed_step.h>
 
 #include <Eigen/Core>
 
@@ -66,6 +65,7 @@ Spin_transformation_options Conformal_willmore_flow::transformation_options(
   own.boundary = options.boundary;
   if (options.exact_conformal_class) internal::keep_first_directions(initial, own.boundary);
   own.exactness = options.exactness;
+  own.max_period_defect = options.max_period_defect;
   if (!options.exact_conformal_class) own.mollification = options.mollification;
   own.solvers = options.solvers;
   return own;
@@ -128,14 +128,12 @@ auto Conformal_willmore_flow::try_step(const Eigen::VectorXd& rho, Flow_step_rep
                                        const Go_further& go_further) -> Verdict
 {
   try {
-    internal::Closed_step next = internal::closed_step(
-        m_transformation, Curvature_potential::on_vertices(rho),
-        {m_options.max_period_defect, m_options.dirac.tolerance}, 1, m_options.dirac, go_further);
-    const Spin_report before = std::exchange(report.spin, next.result.report);
+    Spin_result next = m_transformation.closed_step(rho, m_options.dirac, go_further);
+    const Spin_report before = std::exchange(report.spin, next.report);
     internal::add_costs(report.spin, before);
     if (m_class) report.spin.mollification = m_mollification;
     report.period_defect = report.spin.period_defect;
-    return report.spin.cancelled ? Verdict::cancelled : judge(std::move(next.result), report);
+    return report.spin.cancelled ? Verdict::cancelled : judge(std::move(next), report);
   } catch (const Solver_error& error) {
     if (is_out_of_memory(error)) throw;
     report.message = error.what();

@@ -62,9 +62,10 @@ namespace Conformal_geometry_processing {
 /// after the last complete step.
 ///
 /// Ordering and symbolic factorization are computed once, in the constructor. A trial costs one
-/// numeric factorization of the Dirac matrix and about ten solves with it; one more of each if its
-/// edges have to be closed. The way back to the class costs one to three factorizations of about
-/// twice its operations in the beginning, and solves only where a step changes little.
+/// numeric factorization of the Dirac matrix and about ten solves with it; if its edges have to be
+/// closed, three more solves for each loop. The way back to the class costs one to three
+/// factorizations of about twice its operations in the beginning, and solves only where a step
+/// changes little.
 ///
 /// \tparam Direction a model of `CurvatureDirection`
 class Conformal_willmore_flow {

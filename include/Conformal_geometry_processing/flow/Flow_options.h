@@ -85,8 +85,8 @@ struct Flow_options {
   std::optional<Exactness> exactness = Exactness::adjoint;
 
   /// the largest part of the edges that may fail to close up in one step; more is removed as far as
-  /// possible, for one factorization each time, by a change of rho. None: a quarter of the
-  /// discretisation error of the step, see `internal::Period_limit`
+  /// possible, by small changes of rho and of the spins, see `internal::closed_spins()`. None: a
+  /// quarter of the discretisation error of the step, see `internal::Period_limit`
   std::optional<double> max_period_defect = std::nullopt;
 
   /// admits faces of any thinness, see `Spin_transformation_options`. Distortion is then measured

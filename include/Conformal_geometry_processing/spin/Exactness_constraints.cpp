@@ -5,7 +5,6 @@
 #include <Conformal_geometry_processing/operators/cotan_laplacian.h>
 #include <Conformal_geometry_processing/spin/Dirac_system.h>
 
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
 
 #include <cmath>
@@ -28,19 +27,6 @@ double internal::Exactness_constraints::period_defect(const Eigen::MatrixX3d& ed
   // Uses |w|, because w is negative opposite large angles and then defines no norm.
   const double total = weights.cwiseAbs().dot(edges.rowwise().squaredNorm());
   return forms.coefficients(weights, edges).norm() / std::sqrt(total);
-}
-
-Eigen::VectorXd internal::Exactness_constraints::closing_change(
-    const Eigen::MatrixX3d& edges, const Eigen::MatrixXd& derivative) const
-{
-  if (derivative.cols() == 0) return Eigen::VectorXd::Zero(areas.size());
-  // By rows, so that the three axes of a form are together, as in the functions.
-  const Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor> periods =
-      forms.coefficients(weights, edges);
-  const double damping = 0.01;
-  Eigen::MatrixXd gram = derivative.transpose() * areas.asDiagonal() * derivative;
-  gram.diagonal().array() += damping * damping * gram.diagonal().maxCoeff();
-  return derivative * gram.ldlt().solve(-periods.reshaped<Eigen::RowMajor>() / 2);
 }
 
 internal::Exactness_constraints exactness_constraints(internal::Dirac_system& system,

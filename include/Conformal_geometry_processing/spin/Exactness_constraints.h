@@ -37,18 +37,6 @@ struct Exactness_constraints {
   /// close up around the handles; always zero on spheres and disks.
   /// \param edges |E| x 3, of a transformation of the surface
   double period_defect(const Eigen::MatrixX3d& edges) const;
-
-  /// \brief the smallest change of rho that takes the periods of new edges away, to first order in
-  /// rho: its inner products with the functions are minus half of the harmonic part of the edges.
-  ///
-  /// Damped least squares: changes of rho that move the ends of the loops a hundred times less than
-  /// others would have to be large, and are left out. Such are the noise of the function that
-  /// vanishes on isothermic surfaces.
-  /// \param edges |E| x 3, of a transformation of the surface
-  /// \param derivative `functions`, or the `period_functions()` of that transformation
-  /// \returns |V| or |F| numbers in the unit of the surface; zero without functions
-  Eigen::VectorXd closing_change(const Eigen::MatrixX3d& edges,
-                                 const Eigen::MatrixXd& derivative) const;
 };
 
 }  // namespace internal

@@ -5,14 +5,13 @@
 
 namespace Conformal_geometry_processing {
 
-double internal::Period_limit::operator()(const Spin_report& report, double share) const
+double internal::Period_limit::operator()(const Spin_report& report) const
 {
-  if (maximum) return *maximum * share;
+  if (maximum) return *maximum;
   const double share_of_distortion = 0.25, rounding = 1e-10, least = 0.002, greatest = 0.02;
   const double distortion = report.conformality.quasi_conformal.mean - 1;
-  const double closed =
-      (std::max)({share_of_distortion * distortion, tolerance, rounding, least * share});
-  return (std::min)(closed, greatest * share);
+  const double closed = (std::max)({share_of_distortion * distortion, tolerance, rounding, least});
+  return (std::min)(closed, greatest);
 }
 
 }  // namespace Conformal_geometry_processing

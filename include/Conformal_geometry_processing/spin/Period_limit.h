@@ -16,12 +16,11 @@ namespace Conformal_geometry_processing::internal {
 /// less than .2 %, which shears by less than one sees: maps in the plane have hardly any
 /// distortion.
 struct Period_limit {
-  std::optional<double> maximum;  ///< over all steps together, relative to the edges; see above
+  std::optional<double> maximum;  ///< relative to the edges; see above
   double tolerance = 0;           ///< of the spins: smaller defects are errors of the solver
 
   /// \param report of the transformation
-  /// \param share of the way that it makes
-  double operator()(const Spin_report& report, double share) const;
+  double operator()(const Spin_report& report) const;
 };
 
 }  // namespace Conformal_geometry_processing::internal

@@ -110,12 +110,6 @@ class Spin_transformation {
   /// reported.
   Spin_report take_unreported() { return std::exchange(m_unreported, {}); }
 
-  /// whether the boundary has directions that need not be those of the surface
-  bool turns_directions() const
-  {
-    return system().directions() && m_options.boundary.targets.cols() > 0;
-  }
-
   /// by which the reports of what is computed from now on judge; control of scale takes less of rho
   /// where these would not pass
   Spin_report::Limits& limits() { return m_limits; }
@@ -157,6 +151,15 @@ class Spin_transformation {
   Spin_result trial_step(const Curvature_potential& rho, const Dirac_options& options = {},
                          const internal::Go_further& go_further = internal::Always_go_further());
 
+  /// \brief `trial_step()`, closed around handles and holes by `internal::closed_spins()`, for the
+  /// small steps of a flow: nearly closed already, as rho is the exact part of `exactness()`.
+  ///
+  /// The report has the period defect, and tells how the equation of the changed rho is solved.
+  /// \param rho in 1/length of the mesh, one number per vertex
+  /// \throw as `transform()`
+  Spin_result closed_step(const Eigen::VectorXd& rho, const Dirac_options& options = {},
+                          const internal::Go_further& go_further = internal::Always_go_further());
+
   /// \brief computes the surface with given spins, whether they solve a Dirac equation or not.
   ///
   /// `report.closure_residual` measures how far they are from the spins of a surface; `converged`
@@ -195,6 +198,12 @@ class Spin_transformation {
     return domain().has_loops() && m_options.boundary.kind != Boundary_condition::Kind::positions;
   }
 
+  /// whether the boundary has directions that need not be those of the surface
+  bool turns_directions() const
+  {
+    return system().directions() && m_options.boundary.targets.cols() > 0;
+  }
+
   /// \brief moves a transformed surface to its exact conformal class; where that takes lengths
   /// beyond their bound, that of one transformed with a tighter bound.
   Spin_result on_class(Spin_result result, const Curvature_potential& rho,
@@ -211,6 +220,16 @@ class Spin_transformation {
   Spin_result relaxed(const Curvature_potential& rho, const internal::Scale_control& control,
                       double stiffness, const Dirac_options& options,
                       const internal::Go_further& go_further);
+
+  /// closes what a step by rho has left open
+  void close(const Eigen::VectorXd& rho, double limit, Spin_result& result);
+
+  /// tells how far the edges are from closing up; returns the largest defect that counts as closed
+  double judge_periods(const internal::Exactness_constraints& closing, double tolerance,
+                       Spin_result& result) const;
+
+  /// tells how the equation of rho is solved, |V|, in the frame
+  void judge_equation(Eigen::VectorXd rho, Spin_result& result) const;
 
   /// tells what is kept of rho, or added to it, the constant included
   void tell_shares(const internal::Relaxed_scales& found, const Eigen::VectorXd& wanted,

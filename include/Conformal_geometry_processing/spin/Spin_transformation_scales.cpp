@@ -1,12 +1,14 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-// Transformations with a bound on scales, and those on the exact conformal class.
+// Transformations with a bound on scales, closed around handles, and on the exact conformal class.
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
 
 #include <Conformal_geometry_processing/linear_algebra/direct/Stopwatch.h>
+#include <Conformal_geometry_processing/operators/dirac_energy.h>
 #include <Conformal_geometry_processing/spin/Exactness_constraints.h>
 #include <Conformal_geometry_processing/spin/Period_limit.h>
 #include <Conformal_geometry_processing/spin/Period_residual.h>
 #include <Conformal_geometry_processing/spin/Relaxed_scales.h>
+#include <Conformal_geometry_processing/spin/closed_spins.h>
 #include <Conformal_geometry_processing/spin/move_to_class.h>
 #include <Conformal_geometry_processing/spin/transformed_edges.h>
 #include <Conformal_geometry_processing/threads/Thread_team.h>
@@ -189,17 +191,68 @@ void Spin_transformation::tell_shares(const internal::Relaxed_scales& found,
   }
 }
 
+Spin_result Spin_transformation::closed_step(const Eigen::VectorXd& rho,
+                                             const Dirac_options& options,
+                                             const internal::Go_further& go_further)
+{
+  using On = Curvature_potential::On;
+  const internal::Thread_team team;
+  if (has_loops()) (void)exactness(On::vertices);  // first, because it needs another factor
+  Spin_result result = trial_step({On::vertices, rho}, options, go_further);
+  const Spin_report& r = result.report;
+  if (r.cancelled || !has_loops()) return result;
+  const double limit = judge_periods(exactness(On::vertices), options.tolerance, result);
+  if (m_options.exactness && r.converged && r.period_defect > limit) close(rho, limit, result);
+  return result;
+}
+
+void Spin_transformation::close(const Eigen::VectorXd& rho, double limit, Spin_result& result)
+{
+  internal::Stopwatch watch;
+  Spin_report& r = result.report;
+  const double gamma = system().is_self_adjoint() ? r.eigenvalue : 0;
+  internal::Closed_spins closed = internal::closed_spins(
+      system(), exactness(Curvature_potential::On::vertices),
+      domain().unit() * (rho.array() + gamma).matrix(), std::move(result.lambda), limit);
+  result.lambda = system().normalized(std::move(closed.lambda));
+  r.period_defect = closed.period_defect;
+  r.solves += closed.solves;
+  judge_equation(std::move(closed.rho), result);
+  r.seconds.exactness += watch.lap();
+  reconstruct(result);
+}
+
+void Spin_transformation::judge_equation(Eigen::VectorXd rho, Spin_result& result) const
+{
+  const Surface_ref& surface = system().surface();
+  Spin_report& r = result.report;
+  const auto changed = [&] { return Curvature_potential::on_vertices(rho); };
+  if (system().is_self_adjoint()) {
+    const double gamma = dirac_quotient(surface, changed(), result.lambda);
+    r.eigenvalue += gamma / domain().unit();
+    rho.array() += gamma;
+  }
+  const double misfit = dirac_misfit(surface, changed(), result.lambda) / domain().unit();
+  (system().is_self_adjoint() ? r.dirac_residual : r.eigenvalue) = misfit;
+}
+
+double Spin_transformation::judge_periods(const internal::Exactness_constraints& closing,
+                                          double tolerance, Spin_result& result) const
+{
+  Spin_report& r = result.report;
+  r.period_defect = closing.period_defect(transformed_edges(system().surface(), result.lambda));
+  return internal::Period_limit{m_options.max_period_defect, tolerance}(r);
+}
+
 Spin_result Spin_transformation::surface_of(internal::Dirac_solution found, double tolerance)
 {
   Spin_result result = in_units(std::move(found));
-  Spin_report& r = result.report;
-  if (r.cancelled) return result;
+  if (result.report.cancelled) return result;
   reconstruct(result);
+  Spin_report& r = result.report;
   r.converged = r.converged && result.positions.allFinite();
   const internal::Exactness_constraints* const loops = closing();
-  if (!loops) return result;
-  r.period_defect = loops->period_defect(transformed_edges(system().surface(), result.lambda));
-  r.period_limit = internal::Period_limit{m_options.max_period_defect, tolerance}(r, 1);
+  if (loops) r.period_limit = judge_periods(*loops, tolerance, result);
   return result;
 }
 
