@@ -22,7 +22,7 @@ class Period_correction {
 
   /// \param rho and lambda solve the equation; \param periods at lambda
   Period_correction(const Dirac_system& system, const Eigen::VectorXd& rho, Spins lambda,
-                    const Period_residual& periods);
+                    Period_residual& periods);
 
   /// d that takes off so much of the periods
   Eigen::VectorXd potential(const Eigen::VectorXd& periods) const;
@@ -51,25 +51,22 @@ class Period_correction {
 // have to be large, and are left out. Such are the noise of the function that vanishes on
 // isothermic surfaces.
 Period_correction::Period_correction(const Dirac_system& system, const Eigen::VectorXd& rho,
-                                     Spins lambda, const Period_residual& periods)
+                                     Spins lambda, Period_residual& periods)
     : m_system(system),
       m_gauge(system),
       m_rho(Curvature_potential::on_vertices(rho)),
       m_lambda(std::move(lambda))
 {
   const double damping = 0.01;
-  const Eigen::Index size = periods.values().size();
-  Vectors gradients(m_lambda.size(), size);
-  for (Eigen::Index k = 0; k < size; ++k)
-    gradients.col(k) = periods.gradient(Eigen::VectorXd::Unit(size, k));
   m_functions = system.areas().cwiseInverse().asDiagonal() *
-                energy_gradient(system.surface(), m_rho, m_lambda, solve(std::move(gradients)));
+                energy_gradient(system.surface(), m_rho, m_lambda,
+                                solve(gradients_of({&periods}, rho.size())));
   Eigen::MatrixXd gram = m_functions.transpose() * system.areas().asDiagonal() * m_functions;
   gram.diagonal().array() += damping * damping * gram.diagonal().maxCoeff();
   m_gram.compute(gram);
 }
 
-// At most a quarter of the curvature of a sphere, beyond which nothing is linear.
+// At most a quarter of the curvature of a sphere: derivatives tell little of longer changes.
 Eigen::VectorXd Period_correction::potential(const Eigen::VectorXd& periods) const
 {
   const double longest = 0.25 * std::sqrt(4 * std::acos(-1.));
@@ -88,6 +85,20 @@ auto Period_correction::solve(Vectors g) const -> Vectors
   return y;
 }
 
+/// takes a change if it takes off some of the defect; returns how much of that is left
+double take_change(const Period_correction& correction, const Spin_gauge& gauge,
+                   Period_residual& periods, Closed_spins& s)
+{
+  const Eigen::VectorXd d = correction.potential(periods.values());
+  Quaternion_vector<double> next = gauge.normalized(s.lambda + correction.spins(d));
+  ++s.solves;
+  periods.set_spins(next);
+  const double before = s.period_defect, after = periods.values().norm();
+  if (!(after < before)) return 1;
+  s = {std::move(next), s.rho + d, after, s.solves};
+  return after / before;
+}
+
 Closed_spins closed_spins(const Dirac_system& system, const Exactness_constraints& exactness,
                           Eigen::VectorXd rho, Quaternion_vector<double> lambda, double limit)
 {
@@ -100,16 +111,8 @@ Closed_spins closed_spins(const Dirac_system& system, const Exactness_constraint
   if (s.period_defect <= limit) return s;
   const Period_correction correction(system, s.rho, s.lambda, periods);
   s.solves = correction.number_of_periods();
-  for (double kept = 0; s.period_defect > limit && kept <= worst;) {
-    const Eigen::VectorXd d = correction.potential(periods.values());
-    Quaternion_vector<double> next = gauge.normalized(s.lambda + correction.spins(d));
-    ++s.solves;
-    periods.set_spins(next);
-    const double after = periods.values().norm();
-    if (!(after < s.period_defect)) break;
-    kept = after / s.period_defect;
-    s = {std::move(next), s.rho + d, after, s.solves};
-  }
+  for (double left = 0; s.period_defect > limit && left <= worst;)
+    left = take_change(correction, gauge, periods, s);
   return s;
 }
 
