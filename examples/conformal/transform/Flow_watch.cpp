@@ -42,12 +42,10 @@ void Flow_watch::on_step_end(const CGP::Flow_step_report& step, const CGP::Mesh_
   if (!m_patience) m_patience.emplace();
   m_energy = step.energy;
   m_steps = step.step;
-  if (step.time_step > 0) {  // otherwise the surface was smoothed only
+  if (step.time_step > 0)  // otherwise the surface was smoothed only
     append(m_evidence, step.spin);
-    m_evidence.period_defect += step.period_defect;
-  } else {
+  else
     m_evidence.mollification = step.spin.mollification;
-  }
   m_evidence.direction_error = step.spin.direction_error;
   if (m_options.every > 0 && step.step % m_options.every == 0) write_snapshot(step.step, mesh);
   show(0, "");

@@ -120,7 +120,7 @@ void tell_flow(const Flow_solution& solution, const CGP::Mesh_view& initial,
   report.set("result/residual", evidence.residual);
   report.set("result/iterations", evidence.iterations);
   report.tell("result/closure_residual", "closure residual, worst", evidence.closure_residual, 3);
-  report.set("result/period_defect", evidence.period_defect);
+  report.set("result/period_defect", flow.period_defect);
   tell_conformality(flow.conformality, measured_faces(evidence, initial.size_of_faces()), report);
   tell_class(flow, initial, report);
   tell_mollification(evidence.mollification, report);
