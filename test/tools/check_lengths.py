@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 # Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-"""One idea per file: no file of code is longer than 300 lines."""
+"""One idea per file: no file of code is longer than 400 lines."""
 
 import sources
 
-LONGEST = 300
+LONGEST = 400
 
 
 def complaints():
