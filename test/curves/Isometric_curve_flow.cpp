@@ -1,4 +1,3 @@
-// Tests curves/Isometric_curve_flow.h curves/Curve_flow_options.h curves/Curve_flow_visitor.h
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/curves/Isometric_curve_flow.h>
 

@@ -1,10 +1,5 @@
-// Tests curves/Polygon_lengths.h curves/turning_angles.h curves/turning_number.h
-// Tests curves/bending_energy.h curves/curve_requirements.h
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-#include <Conformal_geometry_processing/curves/bending_energy.h>
-#include <Conformal_geometry_processing/curves/curve_requirements.h>
-#include <Conformal_geometry_processing/curves/turning_angles.h>
-#include <Conformal_geometry_processing/curves/turning_number.h>
+#include <Conformal_geometry_processing/curves/polygons.h>
 
 #include <gtest/gtest.h>
 

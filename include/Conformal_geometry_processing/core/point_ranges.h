@@ -2,7 +2,7 @@
 #pragma once
 
 #include <Conformal_geometry_processing/core/named_parameters.h>
-#include <Conformal_geometry_processing/curves/Polygon_lengths.h>
+#include <Conformal_geometry_processing/curves/polygons.h>
 
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/number_utils.h>

@@ -1,6 +1,7 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #pragma once
 
+#include <iosfwd>
 #include <vector>
 
 namespace Conformal_geometry_processing {
@@ -60,5 +61,9 @@ struct [[nodiscard]] Curve_flow_report {
 /// \brief Appends a step if it was accepted, and copies its reason to stop.
 /// \returns whether the step was accepted
 bool append(Curve_flow_report& report, const Curve_step_report& step);
+
+/// \relates Curve_flow_report
+/// Writes the numbers of a flow, one fact per line, and why it is no success, if it is none
+std::ostream& operator<<(std::ostream& out, const Curve_flow_report& r);
 
 }  // namespace Conformal_geometry_processing

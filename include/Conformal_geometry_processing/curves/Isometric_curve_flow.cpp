@@ -1,14 +1,8 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/curves/Isometric_curve_flow.h>
 
-#include <Conformal_geometry_processing/curves/bending_descent.h>
-#include <Conformal_geometry_processing/curves/bending_energy.h>
 #include <Conformal_geometry_processing/curves/close_polygon.h>
-#include <Conformal_geometry_processing/curves/curve_alignment.h>
-#include <Conformal_geometry_processing/curves/curve_requirements.h>
-#include <Conformal_geometry_processing/curves/integrate_curvature.h>
-#include <Conformal_geometry_processing/curves/integrate_tangents.h>
-#include <Conformal_geometry_processing/curves/turning_angles.h>
+#include <Conformal_geometry_processing/curves/polygons.h>
 
 #include <Eigen/Core>
 
@@ -18,6 +12,20 @@
 #include <string>
 
 namespace Conformal_geometry_processing {
+
+const Curve_flow_options& checked(const Curve_flow_options& o, const std::string& function)
+{
+  if (!(o.time_step > 0 && o.time_step < 1))
+    throw Precondition_error(function, "a time step of " + std::to_string(o.time_step) +
+                                           "; one between 0 and 1 is needed, where it is stable");
+  if (o.max_steps < 0)
+    throw Precondition_error(
+        function, std::to_string(o.max_steps) + " steps; a number that is not negative is needed");
+  if (!(o.energy_tolerance >= 0))
+    throw Precondition_error(function, "a tolerance of " + std::to_string(o.energy_tolerance) +
+                                           "; zero or a positive number is needed");
+  return o;
+}
 
 Isometric_curve_flow::Isometric_curve_flow(const internal::Plane_points& points,
                                            const Curve_flow_options& options,

@@ -1,12 +1,9 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #pragma once
 
-#include <Conformal_geometry_processing/curves/Curve_flow_options.h>
 #include <Conformal_geometry_processing/curves/Curve_flow_report.h>
-#include <Conformal_geometry_processing/curves/Curve_flow_visitor.h>
-#include <Conformal_geometry_processing/curves/Curve_frame.h>
-#include <Conformal_geometry_processing/curves/Polygon_lengths.h>
-#include <Conformal_geometry_processing/curves/turning_number.h>
+#include <Conformal_geometry_processing/curves/polygons.h>
+#include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Stopwatch.h>
 #include <Conformal_geometry_processing/linear_algebra/krylov/Visit_guard.h>
 
@@ -15,6 +12,52 @@
 #include <string>
 
 namespace Conformal_geometry_processing {
+
+/// \ingroup PkgCurves
+/// Options of an isometric curve flow
+struct Curve_flow_options {
+  /// How the ends of a closed curve are joined after a step
+  enum class Closing {
+    exact,         ///< by an additional change of curvature: every edge keeps its length
+    least_squares  ///< by small changes of all lengths, as in [CGP 6.4.3]
+  };
+
+  /// Whether the last point is followed by the first
+  bool is_closed = true;
+
+  /// tau in kappa + tau (-2 kappa, constrained). The flow is stable for 0 < tau < 1: each step
+  /// multiplies the removable part of the curvature by 1 - 2 tau, so 1/2 converges fastest, and
+  /// small values show the evolution. Curves of turning number 0 converge only below about 3/4.
+  double time_step = 0.5;
+
+  int max_steps = 100;  ///< of one `run()`
+
+  /// Relative change of the energy per unit of time below which the flow stops; relative to the
+  /// energy or, if it tends to zero, to a hundredth of the initial energy
+  double energy_tolerance = 1e-8;
+
+  Closing closing = Closing::exact;
+};
+
+/// \relates Curve_flow_options
+/// Returns the options
+/// \throw Precondition_error naming `function` if an option is out of its range
+const Curve_flow_options& checked(const Curve_flow_options& o, const std::string& function);
+
+/// \ingroup PkgCurves
+/// \brief A model of `CurveFlowVisitor` that does nothing; derive from it to override functions.
+///
+/// Exceptions propagate to the caller; the flow remains at its last complete step.
+struct Curve_flow_visitor {
+  /// Called once, with the initial curve, 2 x m, and its energy
+  void on_flow_begin(const internal::Plane_points&, double) {}
+
+  /// Called before every step; false stops the flow
+  bool go_further() { return true; }
+
+  /// Called after every accepted step, with the new curve
+  void on_step_end(const Curve_step_report&, const internal::Plane_points&) {}
+};
 
 /// \ingroup PkgCurves
 /// \brief Minimizes the bending energy of a polygon in the plane within its turning number, step by
