@@ -2,7 +2,7 @@
 #pragma once
 
 #include <Conformal_geometry_processing/surfaces/hopf_torus.h>
-#include <Conformal_geometry_processing/surfaces/torus_grid.h>
+#include <Conformal_geometry_processing/surfaces/round_torus.h>
 
 #include <cmath>
 

@@ -1,8 +1,5 @@
-// Tests include/Conformal_geometry_processing/surfaces/hopf_torus.h
-// Tests surfaces/evenly_spaced.h
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/measure/energies.h>
-#include <Conformal_geometry_processing/surfaces/evenly_spaced.h>
 #include <Conformal_geometry_processing/surfaces/hopf_torus.h>
 #include <Conformal_geometry_processing/surfaces/torus_of_class.h>
 
@@ -34,6 +31,23 @@ Points sampled(int m)
   return curve;
 }
 
+/// m equidistant points along a closed polygon, including its first vertex; `lengths` are those of
+/// its edges from point i to the next
+Points evenly_spaced(const Points& polygon, const Eigen::VectorXd& lengths, int m)
+{
+  const Eigen::Index k = polygon.cols();
+  Points points(3, m);
+  const double step = lengths.sum() / m;
+  Eigen::Index edge = 0;
+  double start = 0;  // of the edge
+  for (int i = 0; i < m; ++i) {
+    while (edge < k - 1 && start + lengths[edge] <= i * step) start += lengths[edge++];
+    const double t = (i * step - start) / lengths[edge];
+    points.col(i) = (1 - t) * polygon.col(edge) + t * polygon.col((edge + 1) % k);
+  }
+  return points;
+}
+
 /// m points on the wave, evenly, and as many columns as make squares
 Mesh_view torus_over_the_wave(int m)
 {
@@ -41,7 +55,7 @@ Mesh_view torus_over_the_wave(int m)
   Eigen::VectorXd lengths(fine.cols());
   for (Eigen::Index i = 0; i < fine.cols(); ++i)
     lengths[i] = (fine.col((i + 1) % fine.cols()) - fine.col(i)).norm();
-  const CGP::Hopf_torus torus(CGP::evenly_spaced<3>(fine, lengths, m));
+  const CGP::Hopf_torus torus(evenly_spaced(fine, lengths, m));
   return torus.mesh(static_cast<int>(std::round(4 * pi * m / torus.length())));
 }
 
@@ -147,23 +161,6 @@ TEST(Hopf_torus, refuses_curves_that_are_none_or_go_through_infinity)
     other.col(3) = bad;
     EXPECT_THROW((void)torus(other), CGP::Precondition_error);
   }
-}
-
-TEST(Evenly_spaced, divides_the_perimeter_of_a_polygon_as_its_edges_count)
-{
-  const Eigen::Matrix2Xd square = (Eigen::Matrix2Xd(2, 4) << 0, 1, 1, 0, 0, 0, 1, 1).finished();
-  const Eigen::Matrix2Xd points = CGP::evenly_spaced<2>(square, Eigen::Vector4d::Ones(), 8);
-  const Eigen::Matrix2Xd expected =
-      (Eigen::Matrix2Xd(2, 8) << 0, .5, 1, 1, 1, .5, 0, 0, 0, 0, 0, .5, 1, 1, 1, .5).finished();
-  EXPECT_LT((points - expected).norm(), 1e-15);
-  const Eigen::Matrix2Xd uneven = CGP::evenly_spaced<2>(square, Eigen::Vector4d(3, 1, 1, 1), 2);
-  EXPECT_LT((uneven.col(1) - Eigen::Vector2d(1, 0)).norm(), 1e-15);
-  EXPECT_THROW((void)CGP::evenly_spaced<2>(square, Eigen::Vector3d::Ones(), 8),
-               CGP::Precondition_error);
-  EXPECT_THROW((void)CGP::evenly_spaced<2>(square, Eigen::Vector4d(1, 0, 1, 1), 8),
-               CGP::Precondition_error);
-  EXPECT_THROW((void)CGP::evenly_spaced<2>(square, Eigen::Vector4d::Ones(), 0),
-               CGP::Precondition_error);
 }
 
 }  // namespace cgp_test::hopf_torus_tests

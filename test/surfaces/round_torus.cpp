@@ -1,12 +1,8 @@
-// Tests include/Conformal_geometry_processing/surfaces/round_torus.h
-// Tests surfaces/torus_grid.h, surfaces/stereographic_projection.h
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/algebra/random_quaternions.h>
 #include <Conformal_geometry_processing/measure/energies.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Conformal_geometry_processing/surfaces/round_torus.h>
-#include <Conformal_geometry_processing/surfaces/stereographic_projection.h>
-#include <Conformal_geometry_processing/surfaces/torus_grid.h>
 #include <Conformal_geometry_processing/surfaces/torus_of_class.h>
 
 #include <gtest/gtest.h>

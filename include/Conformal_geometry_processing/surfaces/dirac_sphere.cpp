@@ -1,6 +1,7 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/surfaces/dirac_sphere.h>
 
+#include <Conformal_geometry_processing/algebra/stable_norm.h>
 #include <Conformal_geometry_processing/measure/energies.h>
 #include <Conformal_geometry_processing/mesh/in_own_frame.h>
 
@@ -8,9 +9,66 @@
 #include <Eigen/Core>
 
 #include <cmath>
+#include <complex>
+#include <cstdlib>
 #include <string>
 
 namespace Conformal_geometry_processing {
+namespace internal {
+
+double normalized_legendre(int l, int m, double cosine, double sine)
+{
+  const double pi = std::acos(-1.);
+  double value = std::sqrt((2 * m + 1) / (4 * pi));
+  for (int i = 1; i <= m; ++i) value *= -sine * std::sqrt((2. * i - 1) / (2. * i));
+  double before = 0;
+  for (int n = m + 1; n <= l; ++n) {
+    const double a = std::sqrt((4. * n * n - 1) / (n * n - m * m));
+    const double b = std::sqrt(((n - 1.) * (n - 1) - m * m) / (4. * (n - 1) * (n - 1) - 1));
+    const double next = a * (cosine * value - b * before);
+    before = value;
+    value = next;
+  }
+  return value;
+}
+
+}  // namespace internal
+
+std::complex<double> spherical_harmonic(int l, int m, const Eigen::Vector3d& point)
+{
+  const int order = std::abs(m);
+  if (order > l) return 0;
+  const Eigen::Vector3d p = stable_normalized(point);
+  const double sine = std::hypot(p.x(), p.y());
+  const double longitude = std::atan2(p.y(), p.x());
+  const double size = internal::normalized_legendre(l, order, p.z(), sine);
+  const std::complex<double> Y = std::polar(1., order * longitude) * size;
+  if (m >= 0) return Y;
+  return order % 2 == 0 ? std::conj(Y) : -std::conj(Y);
+}
+
+void require_spherical_spinor(int kappa, int s, const std::string& function)
+{
+  if (kappa == 0) throw Precondition_error(function, "kappa is zero; any other integer is wanted");
+  if (s < -std::abs(kappa) || s >= std::abs(kappa))
+    throw Precondition_error(function, "s is " + std::to_string(s) + "; wanted " +
+                                           std::to_string(-std::abs(kappa)) + " to " +
+                                           std::to_string(std::abs(kappa) - 1) + " for kappa " +
+                                           std::to_string(kappa));
+}
+
+Quaternion<double> spherical_spinor(int kappa, int s, const Eigen::Vector3d& point)
+{
+  const int l = kappa > 0 ? kappa : -kappa - 1;
+  const double sign = kappa > 0 ? -1 : 1;
+  // mu - 1/2 = s, mu + 1/2 = s + 1
+  const double a = sign * std::sqrt((kappa - s) / (2. * kappa + 1));
+  const double b = std::sqrt((kappa + s + 1) / (2. * kappa + 1));
+  const std::complex<double> psi_1 = a * spherical_harmonic(l, s, point);
+  const std::complex<double> psi_2 = b * spherical_harmonic(l, s + 1, point);
+  return {psi_2.real(), -psi_1.imag(), -psi_1.real(), psi_2.imag()};
+}
+
 namespace internal {
 
 /// Returns the centre of the best-fitting sphere, by least squares of |p - c|^2 - r^2.

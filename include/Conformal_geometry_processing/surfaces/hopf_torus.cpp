@@ -2,8 +2,7 @@
 #include <Conformal_geometry_processing/surfaces/hopf_torus.h>
 
 #include <Conformal_geometry_processing/algebra/rotor.h>
-#include <Conformal_geometry_processing/surfaces/stereographic_projection.h>
-#include <Conformal_geometry_processing/surfaces/torus_grid.h>
+#include <Conformal_geometry_processing/surfaces/round_torus.h>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>

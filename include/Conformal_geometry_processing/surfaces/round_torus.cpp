@@ -2,8 +2,6 @@
 #include <Conformal_geometry_processing/surfaces/round_torus.h>
 
 #include <Conformal_geometry_processing/exceptions.h>
-#include <Conformal_geometry_processing/surfaces/stereographic_projection.h>
-#include <Conformal_geometry_processing/surfaces/torus_grid.h>
 
 #include <Eigen/Core>
 
@@ -11,6 +9,19 @@
 #include <string>
 
 namespace Conformal_geometry_processing {
+
+Eigen::Vector3d stereographic_projection(const Quaternion<double>& q)
+{
+  return imaginary_part(q) / (1 - q.w);
+}
+
+Quaternion<double> inverse_stereographic_projection(const Eigen::Vector3d& p)
+{
+  const double s = p.squaredNorm();
+  Quaternion<double> q = imaginary(2 * p);
+  q.w = s - 1;
+  return q / (s + 1);
+}
 
 Mesh_view round_torus(double R, double r, int m, int n)
 {
