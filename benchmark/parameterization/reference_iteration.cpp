@@ -7,7 +7,7 @@
 #include <Conformal_geometry_processing/mesh/normals.h>
 #include <Conformal_geometry_processing/mesh/topology.h>
 #include <Conformal_geometry_processing/operators/vertex_graph.h>
-#include <Conformal_geometry_processing/parameterization/vertex_normal_energy.h>
+#include <Conformal_geometry_processing/parameterization/conformal_energy.h>
 
 #include <Eigen/Eigenvalues>
 

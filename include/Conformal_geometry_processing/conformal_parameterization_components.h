@@ -5,7 +5,7 @@
 #include <Conformal_geometry_processing/core/for_each_component.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Conformal_geometry_processing/mesh/topology.h>
-#include <Conformal_geometry_processing/parameterization/place_side_by_side.h>
+#include <Conformal_geometry_processing/parameterization/place_in_plane.h>
 
 #include <string>
 #include <vector>

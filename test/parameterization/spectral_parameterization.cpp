@@ -1,6 +1,4 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-// Tests parameterization/spectral_parameterization.h, parameterization/Least_energy_map.h,
-// Tests parameterization/Parameterization_report.h
 #include <Conformal_geometry_processing/linear_algebra/adapters/Eigen_hermitian_solver_traits.h>
 #include <Conformal_geometry_processing/measure/alignment.h>
 #include <Conformal_geometry_processing/mesh/topology.h>

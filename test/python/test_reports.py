@@ -47,7 +47,7 @@ def members(header, struct):
     ("flow/Flow_report.h", "Flow_step_report", cg.Flow_step_report),
     ("flow/Flow_report.h", "Flow_report", cg.Flow_report),
     ("measure/Conformality.h", "Conformality", cg.Conformality),
-    ("parameterization/Parameterization_report.h", "Parameterization_report",
+    ("parameterization/spectral_parameterization.h", "Parameterization_report",
      cg.Parameterization_report),
     ("measure/Realised_curvature.h", "Realised_curvature", cg.Realised_curvature),
     ("spin/Class_snap_report.h", "Class_snap_report", cg.Class_snap_report),

@@ -13,7 +13,6 @@
 
 #include <Conformal_geometry_processing/mesh/topology.h>
 #include <Conformal_geometry_processing/parameterization/place_in_plane.h>
-#include <Conformal_geometry_processing/parameterization/place_side_by_side.h>
 
 #include <algorithm>
 #include <array>

@@ -3,7 +3,7 @@
 
 #include <Conformal_geometry_processing/flow/Flow_report.h>
 #include <Conformal_geometry_processing/measure/Conformality.h>
-#include <Conformal_geometry_processing/parameterization/Parameterization_report.h>
+#include <Conformal_geometry_processing/parameterization/spectral_parameterization.h>
 #include <Conformal_geometry_processing/spin/Spin_report.h>
 #include <Conformal_geometry_processing/spin/snap_to_class.h>
 

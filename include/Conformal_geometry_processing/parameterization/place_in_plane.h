@@ -20,4 +20,24 @@ Points in_space(const Eigen::VectorXcd& z);
 Eigen::VectorXcd place_in_plane(const Mesh_view& mesh, Eigen::VectorXcd z,
                                 const std::vector<int>& loop);
 
+/// \ingroup PkgParameterization
+/// \brief Places rectangles side by side in rows, the highest ones first. The length of a row is
+/// about the side of a square of the same total area. Rectangles do not overlap, and lie above and
+/// to the right of the origin.
+///
+/// A rectangle that would exceed its row by more than half begins the next row.
+///
+/// \param sizes width and height of each, 2 x n
+/// \param gap between them
+/// \returns the lower left corner of each, 2 x n. O(n log n)
+Eigen::Matrix2Xd pack_in_rows(const Eigen::Matrix2Xd& sizes, double gap);
+
+/// \ingroup PkgParameterization
+/// \brief Moves the images of components in the plane so that their bounding boxes do not overlap,
+/// by `pack_in_rows()` with gaps of a hundredth of the largest extent. O(|V| + n log n) for n
+/// components
+/// \param component of each vertex, numbered from 0 without gaps, as `connected_components()` does
+/// \param z u + i v of each vertex, finite
+void place_side_by_side(const std::vector<int>& component, Eigen::VectorXcd& z);
+
 }  // namespace Conformal_geometry_processing
