@@ -7,7 +7,6 @@
 #include <Conformal_geometry_processing/core/geometry_traits.h>
 #include <Conformal_geometry_processing/core/named_parameters.h>
 #include <Conformal_geometry_processing/forms/Hodge_decomposition.h>
-#include <Conformal_geometry_processing/forms/random_closed_forms.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Solver_ref.h>
 #include <Conformal_geometry_processing/mesh/Normalized_frame.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>

@@ -1,20 +1,160 @@
-// Tests include/Conformal_geometry_processing/conformal_class/Snap_equations.h
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-#include <Conformal_geometry_processing/conformal_class/Edge_scales.h>
+#include <Conformal_geometry_processing/conformal_class/Conformal_class.h>
 #include <Conformal_geometry_processing/conformal_class/Snap_equations.h>
+#include <Conformal_geometry_processing/measure/distortion.h>
 #include <Conformal_geometry_processing/operators/vertex_graph.h>
 
 #include <gtest/gtest.h>
-
 #include <Eigen/Core>
 
+#include "support/bounded_meshes.h"
 #include "support/decompositions.h"
 #include "support/meshes.h"
+#include "support/moebius.h"
 #include "support/random.h"
+#include "support/tori.h"
+
+#include <cmath>
+#include <vector>
 
 namespace cgp_test::snap_equations_tests {
 
 namespace CGP = Conformal_geometry_processing;
+using CGP::internal::Edge_scales;
+using CGP::internal::Rim_directions;
+
+TEST(Edge_scales, of_an_inversion_are_known_in_closed_form)
+{
+  // |F(p) - F(q)| = |p - q| / (|p - c| |q - c|) up to a constant factor: u = -2 log |p - c|.
+  const Eigen::Vector3d c(.3, .1, 2.5);
+  for (const Mesh_view& mesh : {bumpy_sphere(2), torus(2, 1, 20, 10), disk(4)}) {
+    const Edge_scales scales(mesh, CGP::vertex_graph(mesh));
+    const Points f = inverted(mesh, c).positions();
+    const Eigen::VectorXd u = scales.nearest_scales(f);
+    for (int v = 1; v < mesh.size_of_vertices(); ++v)
+      EXPECT_NEAR(u[v] - u[0],
+                  2 * std::log((mesh.position(0) - c).norm() / (mesh.position(v) - c).norm()),
+                  1e-11);
+    EXPECT_LT(scales.residuals(f, u).lpNorm<Eigen::Infinity>(), 1e-12);
+  }
+}
+
+TEST(Edge_scales, are_those_of_least_squares)
+{
+  const Mesh_view mesh = bumpy_sphere(2);
+  const Edge_scales scales(mesh, CGP::vertex_graph(mesh));
+  const Points f = perturbed(mesh, .1).positions();
+  const Eigen::VectorXd c = scales.residuals(f, scales.nearest_scales(f));
+  Eigen::VectorXd gradient = Eigen::VectorXd::Zero(mesh.size_of_vertices());
+  for (int k = 0; k < mesh.size_of_edges(); ++k)
+    for (const int v : mesh.ends(k)) gradient[v] += c[k];
+  EXPECT_GT(c.norm(), .1);
+  EXPECT_LT(gradient.norm(), 1e-12);
+}
+
+TEST(Edge_scales, are_as_exact_as_rounded_coordinates)
+{
+  const Mesh_view mesh = bumpy_sphere(2);
+  const Edge_scales scales(mesh, CGP::vertex_graph(mesh));
+  const Eigen::VectorXd u = Eigen::VectorXd::Zero(mesh.size_of_vertices());
+  for (const double distance : {1., 1e3, 1e6}) {
+    const Eigen::Vector3d o = distance * Eigen::Vector3d(1, -2, 3);
+    const Points away = mesh.positions().colwise() + o, back = away.colwise() - o;
+    const double change = (scales.residuals(back, u)).lpNorm<Eigen::Infinity>();
+    EXPECT_LT(change, scales.rounding(away));
+    EXPECT_GT(change, .02 * scales.rounding(away));
+  }
+}
+
+TEST(Edge_scales, of_a_surface_without_extent_do_not_exist)
+{
+  const Mesh_view mesh = icosphere(1);
+  const Edge_scales scales(mesh, CGP::vertex_graph(mesh));
+  EXPECT_THROW(scales.nearest_scales(Points::Zero(3, mesh.size_of_vertices())), CGP::Solver_error);
+}
+
+/// tangents, normals, binormals, and a direction between them
+const std::vector<Eigen::Vector3d>& kinds()
+{
+  static const std::vector<Eigen::Vector3d> list = {
+      Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY(), Eigen::Vector3d::UnitZ(), {1, -2, 3}};
+  return list;
+}
+
+Mesh_view surface()
+{
+  return perturbed(cap_from_disk(disk(6), pi / 3), .01);
+}
+
+Points moved(const Mesh_view& mesh, double by)
+{
+  return mesh.positions() +
+         by * random_numbers(3 * mesh.size_of_vertices(), 7).reshaped(3, mesh.size_of_vertices());
+}
+
+TEST(Rim_directions, has_two_residuals_for_each_edge_that_motions_and_scalings_leave)
+{
+  const Mesh_view mesh = surface();
+  EXPECT_EQ(Rim_directions().size_of_rows(), 0);
+  for (const Eigen::Vector3d& kind : kinds()) {
+    const Rim_directions rim(mesh, kind);
+    EXPECT_EQ(rim.size_of_rows(), 2 * 36);
+    const Points f = (3 * mesh.positions()).colwise() + Eigen::Vector3d(1, 2, 3);
+    EXPECT_LT(rim.residuals(f).lpNorm<Eigen::Infinity>(), 1e-13);
+    EXPECT_GT(rim.residuals(moved(mesh, .01)).lpNorm<Eigen::Infinity>(), 1e-3);
+  }
+}
+
+TEST(Rim_directions, are_angles)
+{
+  const Mesh_view mesh = surface();
+  const double angle = 1e-4;
+  const Eigen::Matrix3d R =
+      Eigen::AngleAxisd(angle, Eigen::Vector3d(1, 1, 2).normalized()).toRotationMatrix();
+  const Eigen::VectorXd r = Rim_directions(mesh, {0, 0, 1}).residuals(R * mesh.positions());
+  EXPECT_LT(r.lpNorm<Eigen::Infinity>(), angle);
+  EXPECT_GT(r.lpNorm<Eigen::Infinity>(), .5 * angle);
+}
+
+TEST(Rim_directions, derivative_is_that_of_the_residuals)
+{
+  const Mesh_view mesh = surface();
+  for (const Eigen::Vector3d& kind : kinds()) {
+    const Rim_directions rim(mesh, kind);
+    const Points v = moved(mesh, 1) - mesh.positions();
+    const double t = 1e-6;
+    const Eigen::VectorXd difference =
+        (rim.residuals(mesh.positions() + t * v) - rim.residuals(mesh.positions() - t * v)) /
+        (2 * t);
+    Eigen::VectorXd derivative = Eigen::VectorXd::Zero(rim.size_of_rows());
+    Eigen::Index k = 0;
+    for (const Rim_directions::Row& row : rim.derivative(mesh.positions())) {
+      for (int c = 0; c < 3; ++c)
+        derivative[k] += row.gradients.col(c).dot(v.col(row.vertices[at(c)]));
+      ++k;
+    }
+    EXPECT_EQ(k, rim.size_of_rows());
+    EXPECT_LT((derivative - difference).norm(), 1e-7 * difference.norm());
+  }
+}
+
+TEST(Rim_directions, are_kept_on_the_way_to_the_conformal_class)
+{
+  const Mesh_view mesh = surface();
+  const Points before = moved(mesh, .003);
+  for (const Eigen::Vector3d& kind : {kinds()[0], kinds()[2], kinds()[3]}) {
+    SCOPED_TRACE(kind.transpose());
+    CGP::internal::Conformal_class conformal_class(mesh);
+    const Rim_directions rim({before, mesh.corners()}, kind);
+    conformal_class.keep(rim);
+    Points f = before;
+    const CGP::internal::Snap_report report = conformal_class.snap(f);
+    EXPECT_TRUE(report.converged);
+    EXPECT_GT(report.initial_residual, 1e-3);
+    EXPECT_LT(CGP::length_cross_ratio_change(mesh, f).max, 1e-10);
+    EXPECT_LT(rim.residuals(f).lpNorm<Eigen::Infinity>(), 1e-10);
+  }
+}
 
 struct Step {
   Points df;

@@ -1,7 +1,6 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-// Tests include/Conformal_geometry_processing/forms/Hodge_decomposition.h
+// Tests forms/Hodge_decomposition.h
 #include <Conformal_geometry_processing/forms/Hodge_decomposition.h>
-#include <Conformal_geometry_processing/forms/random_closed_forms.h>
 #include <Conformal_geometry_processing/operators/cotan_laplacian.h>
 #include <Conformal_geometry_processing/operators/exterior_derivative.h>
 #include <Conformal_geometry_processing/operators/vertex_graph.h>

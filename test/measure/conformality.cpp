@@ -1,13 +1,13 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-// Tests include/Conformal_geometry_processing/measure/Conformality.h
 #include <Conformal_geometry_processing/measure/Conformality.h>
 #include <Conformal_geometry_processing/measure/distortion.h>
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "support/meshes.h"
+
+#include <cmath>
+#include <sstream>
 
 namespace cgp_test::conformality_tests {
 
@@ -67,6 +67,24 @@ TEST(Conformality, of_a_stretch_and_a_reflection_shows_in_every_part)
   EXPECT_NEAR(c.length_cross_ratio.max, std::log(9.), 1e-14);
   EXPECT_NEAR(c.scale.max_scale, std::sqrt(3.), 1e-14);
   EXPECT_EQ(c.flipped_faces, 2);
+}
+
+TEST(Conformality_io, prints_one_fact_per_line)
+{
+  Conformal_geometry_processing::Conformality c;
+  c.quasi_conformal = {1.015625, 1.03125, 1.0625};
+  c.length_cross_ratio = {0.002, 0.005};
+  c.scale.min_scale = 0.5;
+  c.scale.max_scale = 3;
+  c.flipped_faces = 7;
+  std::ostringstream out;
+  Conformal_geometry_processing::internal::print_conformality(out, c);
+  EXPECT_EQ(out.str(),
+            "quasi-conformal error  1.01562 mean, 1.03125 for 99 %, 1.0625 at most (1 is "
+            "conformal)\n"
+            "length cross-ratios    changed by 0.002 rms, 0.005 at most (0 is conformal)\n"
+            "lengths                scaled by 0.5 to 3\n"
+            "flipped faces          7\n");
 }
 
 }  // namespace cgp_test::conformality_tests

@@ -1,8 +1,6 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #pragma once
 
-#include <Conformal_geometry_processing/conformal_class/Edge_scales.h>
-#include <Conformal_geometry_processing/conformal_class/Rim_directions.h>
 #include <Conformal_geometry_processing/conformal_class/Snap_equations.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 

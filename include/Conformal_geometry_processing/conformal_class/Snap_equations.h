@@ -2,7 +2,6 @@
 #pragma once
 
 #include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
-#include <Conformal_geometry_processing/conformal_class/Rim_directions.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Supernodal_cholesky.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 
@@ -14,6 +13,76 @@
 #include <vector>
 
 namespace Conformal_geometry_processing::internal {
+
+/// \ingroup PkgConformalClass
+/// \brief The lengths l_ij of a mesh, from which those of a surface are to differ by factors at the
+/// vertices: |f_j - f_i| = l_ij exp((u_i + u_j) / 2), discrete conformal equivalence.
+///
+/// All functions are invariant under motions of f; scaling of f adds a constant to u.
+class Edge_scales {
+ public:
+  /// \param graph the `vertex_graph()` of the mesh
+  Edge_scales(const Mesh_view& mesh, std::shared_ptr<const Sparse_pattern> graph);
+
+  const std::vector<std::array<int, 2>>& ends() const { return m_ends; }
+
+  /// \brief c_ij = log |f_j - f_i| - log l_ij - (u_i + u_j) / 2, |E| numbers; not finite where an
+  /// edge has no length.
+  Eigen::VectorXd residuals(const Points& f, const Eigen::VectorXd& u) const;
+
+  /// \brief How exactly positions in double precision can hold the residuals: the largest change of
+  /// log |f_j - f_i| when coordinates of the ends are rounded.
+  double rounding(const Points& f) const;
+
+  /// \brief The u of least squares of the residuals.
+  ///
+  /// Its normal equations, the signless Laplacian, are well conditioned on every mesh with
+  /// triangles: conjugate gradients need about 30 products.
+  /// \throw Solver_error if an edge of f has no length
+  Eigen::VectorXd nearest_scales(const Points& f) const;
+
+ private:
+  std::vector<std::array<int, 2>> m_ends;
+  Eigen::VectorXd m_log_lengths;
+  Hermitian_sparse_matrix<double> m_normal_matrix;
+};
+
+/// \ingroup PkgConformalClass
+/// \brief Directions of a surface along its boundary, from which those of other surfaces of the
+/// same connectivity must not differ: for each edge of the boundary, the direction U = t T + n N +
+/// b B in the frame of its face, with the edge T, the normal N, and B = T x N out of the surface.
+///
+/// Tangents concern the ends of the edge, normals and binormals also the third vertex of its face.
+class Rim_directions {
+ public:
+  /// The derivative of a residual by the positions of the vertices of a face
+  struct Row {
+    std::array<int, 3> vertices;
+    Eigen::Matrix3d gradients;  ///< in columns, in the order of the vertices
+  };
+
+  /// keeps nothing
+  Rim_directions() = default;
+
+  /// \param mesh whose directions are kept
+  /// \param direction (t, n, b), of any nonzero length
+  Rim_directions(const Mesh_view& mesh, const Eigen::Vector3d& direction);
+
+  /// the number of residuals: two for each edge of the boundary
+  Eigen::Index size_of_rows() const { return 2 * m_normals.cols(); }
+
+  /// \brief The components of U(f) orthogonal to the kept directions: angles in radians, to first
+  /// order.
+  Eigen::VectorXd residuals(const Points& f) const;
+
+  /// the derivatives of the residuals
+  std::vector<Row> derivative(const Points& f) const;
+
+ private:
+  Eigen::Vector3d m_direction;
+  std::vector<std::array<int, 3>> m_faces;  // of each edge: its ends, and the third vertex
+  Points m_normals, m_others;               // two unit vectors orthogonal to each kept direction
+};
 
 /// \ingroup PkgConformalClass
 /// \brief The smallest change (df, du) of a surface and its log scales that removes given residuals

@@ -4,7 +4,6 @@
 #include <Conformal_geometry_processing/core/Associated_property_map.h>
 #include <Conformal_geometry_processing/core/Graph_view.h>
 #include <Conformal_geometry_processing/forms/Harmonic_basis.h>
-#include <Conformal_geometry_processing/forms/tangent_field.h>
 #include <Conformal_geometry_processing/mesh/topology.h>
 
 #include <boost/graph/graph_traits.hpp>

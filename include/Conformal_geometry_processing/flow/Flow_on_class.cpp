@@ -2,7 +2,7 @@
 // The steps of `Conformal_willmore_flow` on the exact conformal class, and what is measured of it.
 #include <Conformal_geometry_processing/flow/Conformal_willmore_flow.h>
 
-#include <Conformal_geometry_processing/forms/conformal_type.h>
+#include <Conformal_geometry_processing/forms/conformal_modulus.h>
 #include <Conformal_geometry_processing/mesh/mollified_lengths.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Conformal_geometry_processing/mesh/simple_delaunay.h>

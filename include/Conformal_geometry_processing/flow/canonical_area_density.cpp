@@ -1,7 +1,7 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/flow/canonical_area_density.h>
 
-#include <Conformal_geometry_processing/forms/tangent_field.h>
+#include <Conformal_geometry_processing/forms/Harmonic_basis.h>
 
 #include <Eigen/Core>
 

@@ -2,7 +2,6 @@
 #include <Conformal_geometry_processing/forms/Harmonic_basis.h>
 
 #include <Conformal_geometry_processing/exceptions.h>
-#include <Conformal_geometry_processing/forms/tangent_field.h>
 #include <Conformal_geometry_processing/operators/cotan_laplacian.h>
 
 #include <Eigen/Cholesky>
@@ -94,4 +93,5 @@ void orthonormalize_forms(const Surface_ref& surface, Eigen::MatrixXd& forms)
 }
 
 }  // namespace internal
+
 }  // namespace Conformal_geometry_processing

@@ -1,9 +1,10 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #pragma once
 
-#include <Conformal_geometry_processing/measure/Distribution.h>
 #include <Conformal_geometry_processing/measure/distortion.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
+
+#include <iosfwd>
 
 namespace Conformal_geometry_processing {
 
@@ -41,5 +42,13 @@ const char* to_string(Conformality::Fault fault);
 /// \param expected_normals 3 x |F|, to detect flipped faces (`flipped_faces()`)
 Conformality conformality(const Mesh_view& mesh, const Points& positions,
                           const Points& expected_normals);
+
+namespace internal {
+
+/// \ingroup PkgMeasure
+/// Writes the lines on conformality of a report, one fact per line
+void print_conformality(std::ostream& out, const Conformality& c);
+
+}  // namespace internal
 
 }  // namespace Conformal_geometry_processing

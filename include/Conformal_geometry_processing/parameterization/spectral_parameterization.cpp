@@ -7,8 +7,6 @@
 #include <Conformal_geometry_processing/linear_algebra/direct/Stopwatch.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/expanded_graph.h>
 #include <Conformal_geometry_processing/measure/Conformality.h>
-#include <Conformal_geometry_processing/measure/Conformality_io.h>
-#include <Conformal_geometry_processing/measure/Distribution.h>
 #include <Conformal_geometry_processing/measure/distortion.h>
 #include <Conformal_geometry_processing/mesh/topology.h>
 #include <Conformal_geometry_processing/operators/vertex_graph.h>

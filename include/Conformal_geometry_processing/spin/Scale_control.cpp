@@ -2,7 +2,7 @@
 #include <Conformal_geometry_processing/spin/Scale_control.h>
 
 #include <Conformal_geometry_processing/exceptions.h>
-#include <Conformal_geometry_processing/measure/Distribution.h>
+#include <Conformal_geometry_processing/measure/distortion.h>
 #include <Conformal_geometry_processing/spin/log_scales.h>
 
 #include <Eigen/Core>

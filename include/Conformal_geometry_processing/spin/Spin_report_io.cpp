@@ -1,7 +1,7 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/spin/Spin_report_io.h>
 
-#include <Conformal_geometry_processing/measure/Conformality_io.h>
+#include <Conformal_geometry_processing/measure/Conformality.h>
 
 #include <ostream>
 #include <string>

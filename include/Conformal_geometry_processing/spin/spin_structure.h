@@ -2,7 +2,7 @@
 #pragma once
 
 #include <Conformal_geometry_processing/exceptions.h>
-#include <Conformal_geometry_processing/forms/loops_of_faces.h>
+#include <Conformal_geometry_processing/forms/tree_cotree.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 
 #include <Eigen/Core>

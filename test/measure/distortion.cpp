@@ -1,14 +1,13 @@
-// Tests include/Conformal_geometry_processing/measure/Distribution.h
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-#include <Conformal_geometry_processing/measure/Distribution.h>
+#include <Conformal_geometry_processing/measure/distortion.h>
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "support/random.h"
 
-namespace cgp_test::distribution_tests {
+#include <cmath>
+
+namespace cgp_test::distortion_tests {
 
 namespace CGP = Conformal_geometry_processing;
 
@@ -99,4 +98,4 @@ TEST(Histogram, adds_up_to_one)
   EXPECT_GE(share.minCoeff(), 0);
 }
 
-}  // namespace cgp_test::distribution_tests
+}  // namespace cgp_test::distortion_tests
