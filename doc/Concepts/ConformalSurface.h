@@ -20,7 +20,7 @@ using namespace Conformal_geometry_processing;
 /// - `Conformal_geometry_processing::Points`,
 ///   `mesh/Mesh_view.h`
 /// - `Conformal_geometry_processing::Sheet`,
-///   `mesh/Sheet.h`
+///   `mesh/Mesh_view.h`
 /// - `Conformal_geometry_processing::Surface_ref`,
 ///   `mesh/Surface_ref.h`
 ///

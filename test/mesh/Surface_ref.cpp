@@ -1,5 +1,5 @@
+// Tests mesh/Mesh_view.h
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-// Tests mesh/Surface_ref.h, mesh/Sheet.h
 #include <Conformal_geometry_processing/mesh/Delaunay_view.h>
 #include <Conformal_geometry_processing/mesh/Surface_ref.h>
 #include <Conformal_geometry_processing/mesh/normals.h>
@@ -7,12 +7,13 @@
 
 #include <gtest/gtest.h>
 
-#include <type_traits>
-#include <utility>
-
 #include "support/bounded_meshes.h"
 #include "support/meshes.h"
 #include "support/thin_faces.h"
+
+#include <cmath>
+#include <type_traits>
+#include <utility>
 
 namespace cgp_test::surface_ref_tests {
 
@@ -96,6 +97,19 @@ TEST(Boundary_vertices_of_a_surface_ref, are_those_of_the_loops)
   EXPECT_EQ(std::count(is_boundary.begin(), is_boundary.end(), 1), 40);
   const std::vector<char> none = CGP::boundary_vertices(icosphere(1));
   EXPECT_EQ(std::count(none.begin(), none.end(), 0), 42);
+}
+
+TEST(Mean_edge_length, counts_inner_edges_once)
+{
+  EXPECT_DOUBLE_EQ(CGP::mean_edge_length(single_triangle()), (2 + 1 + std::sqrt(5)) / 3);
+  EXPECT_DOUBLE_EQ(CGP::mean_edge_length(unit_square()), (4 + std::sqrt(2)) / 5);
+}
+
+TEST(Mean_edge_length, of_a_regular_solid_is_that_of_each_edge)
+{
+  const Mesh_view mesh = scaled(icosahedron(), 3);
+  const double edge = (mesh.position(mesh.ends(0)[1]) - mesh.position(mesh.ends(0)[0])).norm();
+  EXPECT_NEAR(CGP::mean_edge_length(mesh), edge, 1e-14);
 }
 
 }  // namespace cgp_test::surface_ref_tests

@@ -1,10 +1,8 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-// Tests mesh/Delaunay_view.h, mesh/Common_subdivision.h, mesh/Transported_forms.h
-// Tests mesh/boundary_caps.h
 #include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/forms/tree_cotree.h>
 #include <Conformal_geometry_processing/mesh/Delaunay_view.h>
-#include <Conformal_geometry_processing/mesh/mollified_lengths.h>
+#include <Conformal_geometry_processing/mesh/Intrinsic_triangulation.h>
 #include <Conformal_geometry_processing/operators/cotan_laplacian.h>
 
 #include <gtest/gtest.h>

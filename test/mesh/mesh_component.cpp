@@ -1,10 +1,5 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-// Tests mesh/Mesh_component.h, mesh/Component_failures.h, mesh/Failure_reasons.h
-// Tests mesh/Component_reports.h
 #include <Conformal_geometry_processing/linear_algebra/dense/Solver_status.h>
-#include <Conformal_geometry_processing/mesh/Component_failures.h>
-#include <Conformal_geometry_processing/mesh/Component_reports.h>
-#include <Conformal_geometry_processing/mesh/Failure_reasons.h>
 #include <Conformal_geometry_processing/mesh/Mesh_component.h>
 
 #include <gtest/gtest.h>

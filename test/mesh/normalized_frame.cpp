@@ -1,12 +1,12 @@
-// Tests include/Conformal_geometry_processing/mesh/Normalized_frame.h
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/mesh/Normalized_frame.h>
 
 #include <gtest/gtest.h>
 
-#include <limits>
-
 #include "support/meshes.h"
+
+#include <cmath>
+#include <limits>
 
 namespace cgp_test::normalized_frame_tests {
 
@@ -96,6 +96,20 @@ TEST(Normalized_frame, reaches_to_the_ends_of_double_precision)
   EXPECT_TRUE(Normalized_frame(p).to_frame(p).allFinite());
   const Points q = points({{largest / 2, 0, 0}, {largest, 0, 0}});
   EXPECT_TRUE(Normalized_frame(q).to_frame(q).allFinite());
+}
+
+TEST(In_own_frame, is_of_moderate_size_around_the_origin)
+{
+  const Mesh_view mesh = mapped(perturbed(icosphere(1), .2), [](const Eigen::Vector3d& p) {
+    return Eigen::Vector3d(p + Eigen::Vector3d(5, 0, -3));
+  });
+  const Mesh_view wanted = CGP::internal::in_own_frame(mesh);
+  EXPECT_EQ(wanted.corners(), mesh.corners());
+  EXPECT_LT(wanted.positions().cwiseAbs().maxCoeff(), 2);
+  EXPECT_GT(wanted.positions().cwiseAbs().maxCoeff(), .5);
+  for (const int exponent : {-900, 900})
+    EXPECT_EQ(CGP::internal::in_own_frame(scaled(mesh, std::ldexp(1., exponent))).positions(),
+              wanted.positions());
 }
 
 }  // namespace cgp_test::normalized_frame_tests

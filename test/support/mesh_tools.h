@@ -2,7 +2,7 @@
 #pragma once
 
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
-#include <Conformal_geometry_processing/mesh/mean_edge_length.h>
+#include <Conformal_geometry_processing/mesh/Surface_ref.h>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>

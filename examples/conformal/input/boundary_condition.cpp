@@ -10,7 +10,6 @@
 #include "conformal/process/Failure.h"
 
 #include <Conformal_geometry_processing/mesh/Boundary_frames.h>
-#include <Conformal_geometry_processing/mesh/closed_curves.h>
 #include <Conformal_geometry_processing/mesh/topology.h>
 
 #include <cmath>

@@ -3,7 +3,7 @@
 
 #include "conformal/process/text.h"
 
-#include <Conformal_geometry_processing/mesh/well_shaped_faces.h>
+#include <Conformal_geometry_processing/mesh/requirements.h>
 
 #include <cmath>
 

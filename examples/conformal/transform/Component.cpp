@@ -4,7 +4,7 @@
 #include "conformal/process/text.h"
 
 #include <Conformal_geometry_processing/measure/energies.h>
-#include <Conformal_geometry_processing/mesh/in_own_frame.h>
+#include <Conformal_geometry_processing/mesh/Normalized_frame.h>
 
 #include <numeric>
 #include <utility>

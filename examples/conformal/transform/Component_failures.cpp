@@ -2,7 +2,7 @@
 #include "Component_failures.h"
 
 #include <Conformal_geometry_processing/exceptions.h>
-#include <Conformal_geometry_processing/mesh/Component_failures.h>
+#include <Conformal_geometry_processing/mesh/Mesh_component.h>
 
 namespace conformal {
 

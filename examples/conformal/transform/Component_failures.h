@@ -3,7 +3,7 @@
 
 #include "conformal/process/Failure.h"
 
-#include <Conformal_geometry_processing/mesh/Failure_reasons.h>
+#include <Conformal_geometry_processing/mesh/Mesh_component.h>
 
 #include <cstddef>
 #include <functional>

@@ -2,8 +2,6 @@
 #pragma once
 
 #include <Conformal_geometry_processing/core/Graph_view.h>
-#include <Conformal_geometry_processing/mesh/Component_failures.h>
-#include <Conformal_geometry_processing/mesh/Component_reports.h>
 #include <Conformal_geometry_processing/mesh/Mesh_component.h>
 
 #include <cstddef>

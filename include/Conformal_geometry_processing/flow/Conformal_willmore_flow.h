@@ -18,7 +18,7 @@
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 #include <Conformal_geometry_processing/mesh/Normalized_frame.h>
 #include <Conformal_geometry_processing/mesh/normals.h>
-#include <Conformal_geometry_processing/mesh/well_shaped_faces.h>
+#include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
 #include <Conformal_geometry_processing/threads/Thread_team.h>

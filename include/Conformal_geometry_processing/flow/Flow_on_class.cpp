@@ -3,11 +3,10 @@
 #include <Conformal_geometry_processing/flow/Conformal_willmore_flow.h>
 
 #include <Conformal_geometry_processing/forms/conformal_modulus.h>
-#include <Conformal_geometry_processing/mesh/mollified_lengths.h>
+#include <Conformal_geometry_processing/mesh/Intrinsic_triangulation.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Conformal_geometry_processing/mesh/simple_delaunay.h>
 #include <Conformal_geometry_processing/mesh/topology.h>
-#include <Conformal_geometry_processing/mesh/with_opened_faces.h>
 
 #include <Eigen/Core>
 

@@ -10,6 +10,30 @@
 
 namespace Conformal_geometry_processing {
 
+Eigen::VectorXd edge_lengths(const Mesh_view& mesh)
+{
+  Eigen::VectorXd lengths(mesh.size_of_edges());
+  for (int k = 0; k < mesh.size_of_edges(); ++k)
+    lengths[k] = (mesh.position(mesh.ends(k)[1]) - mesh.position(mesh.ends(k)[0])).stableNorm();
+  return lengths;
+}
+
+internal::Mollified_lengths mollified_lengths(const Mesh_view& mesh, double share)
+{
+  internal::Mollified_lengths result;
+  result.lengths = edge_lengths(mesh);
+  const double slack = share * result.lengths.mean();
+  for (int f = 0; f < mesh.size_of_faces(); ++f) {
+    Eigen::Vector3d l;
+    for (int c = 0; c < 3; ++c) l[c] = result.lengths[mesh.edge(3 * f + c)];
+    const double missing = slack + 2 * l.maxCoeff() - l.sum();
+    result.thin_faces += missing > 0;
+    result.added = (std::max)(result.added, missing);
+  }
+  result.lengths.array() += result.added;
+  return result;
+}
+
 internal::Intrinsic_triangulation::Intrinsic_triangulation(const Mesh_view& mesh,
                                                            const Eigen::VectorXd& lengths)
     : m_corners(index(mesh.size_of_halfedges())),
@@ -90,6 +114,19 @@ void internal::Intrinsic_triangulation::glue(int h, int twin, double length)
   m_lengths[index(h)] = length;
   m_twins[index(h)] = twin;
   if (twin >= 0) m_twins[index(twin)] = h;
+}
+
+bool is_delaunay(const internal::Intrinsic_triangulation& triangles, int h)
+{
+  const double pi = std::acos(-1.), tolerance = 1e-10;
+  const int t = triangles.twin(h);
+  // Written so that what is not a number is never flipped.
+  return t < 0 || !(triangles.angle(h) + triangles.angle(t) > pi + tolerance);
+}
+
+int flip_to_delaunay(internal::Intrinsic_triangulation& triangles)
+{
+  return flip_to_delaunay(triangles, [](int) {});
 }
 
 }  // namespace Conformal_geometry_processing

@@ -6,9 +6,39 @@
 #include <Eigen/Core>
 
 #include <cstddef>
+#include <deque>
 #include <vector>
 
-namespace Conformal_geometry_processing::internal {
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgMesh
+/// Returns the lengths of the edges, |E|
+Eigen::VectorXd edge_lengths(const Mesh_view& mesh);
+
+namespace internal {
+
+/// \ingroup PkgMesh
+/// Edge lengths without degenerate triangles
+struct Mollified_lengths {
+  Eigen::VectorXd lengths;  ///< |E|
+  double added = 0;         ///< length added to each edge
+  int thin_faces = 0;       ///< number of faces that violated the triangle inequality
+};
+
+}  // namespace internal
+
+/// \ingroup PkgMesh
+/// \brief Mollifies the edge lengths: adds the smallest constant to all of them such that in every
+/// triangle the longest edge is shorter than the sum of the two others by at least `share` times
+/// the mean length [Sharp and Crane 2020, 4.5].
+///
+/// Then no triangle is degenerate, even if points are collinear or coincide. The lengths of a mesh
+/// without degenerate triangles are unchanged to the bit. A triangle of three collinear points gets
+/// a height of about the square root of `share` times its length, two coinciding points a distance
+/// of `share`. \param share positive; below about 1e-12, rounding determines the shape of triangles
+internal::Mollified_lengths mollified_lengths(const Mesh_view& mesh, double share);
+
+namespace internal {
 
 /// \ingroup PkgMesh
 /// \brief A triangulation given by edge lengths only, with intrinsic edge flips [Fisher et al.
@@ -68,4 +98,55 @@ class Intrinsic_triangulation {
   std::vector<double> m_lengths;        // 3 |F|, the same for both halfedges of an edge
 };
 
-}  // namespace Conformal_geometry_processing::internal
+}  // namespace internal
+
+/// \ingroup PkgMesh
+/// \brief Returns whether the sum of the angles opposite the edge of h is at most pi, so that its
+/// cotan weight is not negative; true for boundary edges.
+///
+/// Tolerates an excess of 1e-10, to avoid infinite flipping due to rounding.
+bool is_delaunay(const internal::Intrinsic_triangulation& triangles, int h);
+
+/// \ingroup PkgMesh
+/// \brief Flips edges until all are Delaunay [Bobenko and Springborn 2007]. Every flip reduces the
+/// Dirichlet energy of piecewise linear functions, down to the minimum over all triangulations.
+///
+/// \param may_flip called with a halfedge of each edge that is not Delaunay; left as it is if false
+/// \param before_flip called with a halfedge of each edge before it is flipped
+/// \returns the number of flips; usually a few per badly shaped triangle
+template <class MayFlip, class BeforeFlip>
+int flip_to_delaunay(internal::Intrinsic_triangulation& triangles, MayFlip may_flip,
+                     BeforeFlip before_flip)
+{
+  std::deque<int> waiting;
+  for (int h = 0; h < triangles.size_of_halfedges(); ++h)
+    if (h < triangles.twin(h)) waiting.push_back(h);
+  int flips = 0;
+  while (!waiting.empty()) {
+    const int h = waiting.front(), t = triangles.twin(h);
+    waiting.pop_front();
+    // If both sides of an edge are the same face, the sum of the two angles is less than pi.
+    if (t < 0 || h / 3 == t / 3 || is_delaunay(triangles, h) || !may_flip(h)) continue;
+    before_flip(h);
+    triangles.flip(h);
+    ++flips;
+    for (const int face : {h / 3, t / 3})
+      for (const int side : {0, 2}) waiting.push_back(3 * face + side);  // 1 is the new edge
+  }
+  return flips;
+}
+
+/// \ingroup PkgMesh
+/// Flips all edges that are not Delaunay
+template <class BeforeFlip>
+int flip_to_delaunay(internal::Intrinsic_triangulation& triangles, BeforeFlip before_flip)
+{
+  return flip_to_delaunay(
+      triangles, [](int) { return true; }, before_flip);
+}
+
+/// \ingroup PkgMesh
+/// Flips edges likewise, without a callback
+int flip_to_delaunay(internal::Intrinsic_triangulation& triangles);
+
+}  // namespace Conformal_geometry_processing

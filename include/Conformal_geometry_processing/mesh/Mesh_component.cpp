@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -62,6 +63,53 @@ internal::Mesh_component internal::selected_faces(const Mesh_view& mesh,
   }
   part.mesh = Mesh_view(mesh.positions()(Eigen::indexing::all, part.vertices), std::move(corners));
   return part;
+}
+
+void internal::Failure_reasons::add(const std::string& name, const std::string& reason)
+{
+  ++m_size;
+  auto group = std::find_if(m_groups.begin(), m_groups.end(),
+                            [&](const Group& known) { return known.reason == reason; });
+  if (group == m_groups.end()) {
+    if (m_groups.size() == max_reasons) return;
+    group = m_groups.insert(group, {reason, "", 0});
+  }
+  if (group->size > 0 && group->size < max_names) group->names += ", ";
+  if (group->size++ < max_names) group->names += name;
+}
+
+std::string internal::Failure_reasons::text() const
+{
+  std::string text;
+  std::size_t told = 0;
+  for (const Group& group : m_groups) {
+    if (told > 0) text += "; ";
+    told += group.size;
+    text += group.names;
+    if (group.size > max_names) text += " and " + more(group.size - max_names);
+    text += ": " + group.reason;
+  }
+  if (told < m_size) text += "; " + more(m_size - told) + " for other reasons";
+  return text;
+}
+
+internal::Component_failures::Component_failures(std::size_t size, std::string function)
+    : m_size(size), m_function(std::move(function))
+{}
+
+void internal::Component_failures::throw_if_any() const
+{
+  if (m_reasons.size() == 0) return;
+  const std::string all =
+      std::to_string(m_reasons.size()) + " of " + std::to_string(m_size) +
+      " components failed (their elements are counted in each): " + m_reasons.text();
+  if (m_is_of_data) throw Precondition_error(m_function, all);
+  throw Solver_error(m_function, all);
+}
+
+std::string internal::Component_failures::name_of(std::size_t c, int first_vertex)
+{
+  return "component " + std::to_string(c) + " (from vertex " + std::to_string(first_vertex) + ")";
 }
 
 }  // namespace Conformal_geometry_processing

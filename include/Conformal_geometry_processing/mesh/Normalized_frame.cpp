@@ -39,4 +39,10 @@ Points internal::Normalized_frame::scaled(Points positions, int exponent)
   return positions;
 }
 
+Mesh_view internal::in_own_frame(Mesh_view mesh)
+{
+  mesh.set_positions(Normalized_frame(mesh.positions()).to_frame(mesh.positions()));
+  return mesh;
+}
+
 }  // namespace Conformal_geometry_processing

@@ -38,4 +38,10 @@ class Normalized_frame {
   int m_exponent;
 };
 
+/// \ingroup PkgMesh
+/// \brief Returns the mesh in its `Normalized_frame`: of moderate size, where products of areas and
+/// volumes neither overflow nor underflow.
+/// \pre the mesh has vertices, with finite coordinates
+Mesh_view in_own_frame(Mesh_view mesh);
+
 }  // namespace Conformal_geometry_processing::internal

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
-#include <Conformal_geometry_processing/mesh/Sheet.h>
 #include <Conformal_geometry_processing/mesh/topology.h>
 
 #include <Eigen/Core>
@@ -93,5 +92,10 @@ inline std::vector<char> boundary_vertices(const Surface_ref& surface)
     for (const int v : loop) is_boundary[static_cast<std::size_t>(v)] = 1;
   return is_boundary;
 }
+
+/// \ingroup PkgMesh
+/// the mean length h of the edges
+/// \pre there is an edge
+double mean_edge_length(const Surface_ref& surface);
 
 }  // namespace Conformal_geometry_processing

@@ -17,4 +17,16 @@ namespace Conformal_geometry_processing::internal {
 /// none, and no edge has length zero
 Mesh_view simple_delaunay(const Mesh_view& mesh, double mollification = 0);
 
+/// \ingroup PkgMesh
+/// \brief The mesh with vertices moved until all faces have an area, for algorithms on chords.
+///
+/// A face is thin if its longest edge is not shorter than the sum of the two others by at least
+/// `share` of it. Its tips, those opposite to long edges, move along the surface, towards the mean
+/// of their neighbours, by the root of `share` of the way: `mollified_lengths()` gives triangles of
+/// three collinear points such a height. All other vertices stay to the bit.
+///
+/// Faces remain thin where whole neighbourhoods lie on a line or in a point.
+/// \param share positive
+Mesh_view with_opened_faces(const Mesh_view& mesh, double share);
+
 }  // namespace Conformal_geometry_processing::internal

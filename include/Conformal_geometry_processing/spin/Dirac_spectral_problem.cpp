@@ -2,7 +2,7 @@
 #include <Conformal_geometry_processing/spin/Dirac_spectral_problem.h>
 
 #include <Conformal_geometry_processing/algebra/random_quaternions.h>
-#include <Conformal_geometry_processing/mesh/mean_edge_length.h>
+#include <Conformal_geometry_processing/mesh/Surface_ref.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Conformal_geometry_processing/mesh/topology.h>
 #include <Conformal_geometry_processing/operators/dirac_energy.h>

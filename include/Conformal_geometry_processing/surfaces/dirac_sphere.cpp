@@ -3,7 +3,7 @@
 
 #include <Conformal_geometry_processing/algebra/stable_norm.h>
 #include <Conformal_geometry_processing/measure/energies.h>
-#include <Conformal_geometry_processing/mesh/in_own_frame.h>
+#include <Conformal_geometry_processing/mesh/Normalized_frame.h>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>

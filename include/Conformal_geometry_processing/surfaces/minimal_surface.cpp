@@ -4,7 +4,7 @@
 #include <Conformal_geometry_processing/algebra/rotor.h>
 #include <Conformal_geometry_processing/algebra/stable_norm.h>
 #include <Conformal_geometry_processing/mesh/Boundary_frames.h>
-#include <Conformal_geometry_processing/mesh/mean_edge_length.h>
+#include <Conformal_geometry_processing/mesh/Surface_ref.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 #include <Conformal_geometry_processing/spin/boundary_fault.h>
 

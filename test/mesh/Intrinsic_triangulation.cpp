@@ -1,11 +1,7 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-// Tests mesh/intrinsic_delaunay.h, mesh/Intrinsic_triangulation.h, mesh/mollified_lengths.h
-#include <Conformal_geometry_processing/mesh/intrinsic_delaunay.h>
-#include <Conformal_geometry_processing/mesh/mollified_lengths.h>
+#include <Conformal_geometry_processing/mesh/Intrinsic_triangulation.h>
 
 #include <gtest/gtest.h>
-
-#include <cmath>
 
 #include "support/bounded_meshes.h"
 #include "support/meshes.h"
@@ -13,7 +9,9 @@
 #include "support/scans.h"
 #include "support/thin_faces.h"
 
-namespace cgp_test::intrinsic_delaunay_tests {
+#include <cmath>
+
+namespace cgp_test::intrinsic_triangulation_tests {
 
 namespace CGP = Conformal_geometry_processing;
 using Triangles = CGP::internal::Intrinsic_triangulation;
@@ -216,4 +214,4 @@ TEST(Mollified_lengths, grow_with_the_mesh)
               1e-13);
 }
 
-}  // namespace cgp_test::intrinsic_delaunay_tests
+}  // namespace cgp_test::intrinsic_triangulation_tests

@@ -1,5 +1,5 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-#include <Conformal_geometry_processing/mesh/mean_edge_length.h>
+#include <Conformal_geometry_processing/mesh/Surface_ref.h>
 
 namespace Conformal_geometry_processing {
 
