@@ -13,4 +13,12 @@ internal::Quaternionic_sparse_matrix<double> dirac(const Mesh_view& mesh)
   return D;
 }
 
+internal::Quaternionic_sparse_matrix<double> averaging(const Mesh_view& mesh)
+{
+  internal::Quaternionic_sparse_matrix<double> B(mesh.corners(), mesh.size_of_vertices());
+  for (int f = 0; f < mesh.size_of_faces(); ++f)
+    for (int c = 0; c < 3; ++c) B.value(f, c) = {1. / 3, 0, 0, 0};
+  return B;
+}
+
 }  // namespace Conformal_geometry_processing

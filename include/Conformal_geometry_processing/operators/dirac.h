@@ -16,4 +16,9 @@ namespace Conformal_geometry_processing {
 /// \pre no face has area zero
 internal::Quaternionic_sparse_matrix<double> dirac(const Mesh_view& mesh);
 
+/// \ingroup PkgOperators
+/// \brief B: |F| x |V|, the mean of the three corners of each face [CGP 5.3]. Dimensionless.
+/// \param mesh must outlive the matrix
+internal::Quaternionic_sparse_matrix<double> averaging(const Mesh_view& mesh);
+
 }  // namespace Conformal_geometry_processing

@@ -2,7 +2,7 @@
 #include <Conformal_geometry_processing/spin/Dirac_misfit.h>
 
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
-#include <Conformal_geometry_processing/operators/sheet_loops.h>
+#include <Conformal_geometry_processing/operators/vertex_graph.h>
 
 #include <Eigen/Core>
 

@@ -1,28 +1,16 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-// Tests operators/calculus/Surface_derivative.h, operators/calculus/gradient.h
-// Tests operators/calculus/divergence.h, operators/calculus/curl.h
-// Tests operators/calculus/shape_operator.h, operators/calculus/fundamental_forms.h
-// Tests operators/calculus/normals_and_curvatures.h, operators/calculus/laplacians.h
-// Tests operators/calculus/covariant_derivative.h
 #include <Conformal_geometry_processing/mesh/normals.h>
-#include <Conformal_geometry_processing/operators/calculus/covariant_derivative.h>
-#include <Conformal_geometry_processing/operators/calculus/curl.h>
-#include <Conformal_geometry_processing/operators/calculus/divergence.h>
-#include <Conformal_geometry_processing/operators/calculus/fundamental_forms.h>
-#include <Conformal_geometry_processing/operators/calculus/gradient.h>
-#include <Conformal_geometry_processing/operators/calculus/laplacians.h>
-#include <Conformal_geometry_processing/operators/calculus/normals_and_curvatures.h>
-#include <Conformal_geometry_processing/operators/calculus/shape_operator.h>
+#include <Conformal_geometry_processing/operators/calculus.h>
 
 #include <gtest/gtest.h>
 
-#include <vector>
-
-#include "operators/calculus/torus_calculus.h"
+#include "operators/torus_calculus.h"
 #include "support/bounded_meshes.h"
 #include "support/spheres.h"
 
-namespace cgp_test::vector_calculus_tests {
+#include <vector>
+
+namespace cgp_test::calculus_tests {
 
 namespace CGP = Conformal_geometry_processing;
 
@@ -252,4 +240,4 @@ TEST(Surface_derivative, takes_values_apart_into_real_tangential_and_normal_part
   }
 }
 
-}  // namespace cgp_test::vector_calculus_tests
+}  // namespace cgp_test::calculus_tests

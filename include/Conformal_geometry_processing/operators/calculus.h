@@ -1,0 +1,153 @@
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
+
+#include <Conformal_geometry_processing/algebra/Quaternionic_sparse_matrix.h>
+#include <Conformal_geometry_processing/mesh/Mesh_view.h>
+
+#include <Eigen/Core>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgOperators
+/// real numbers as quaternions
+Quaternion_vector<double> as_quaternions(const Eigen::VectorXd& numbers);
+
+/// \ingroup PkgOperators
+/// vectors of R^3, one per column, as imaginary quaternions
+Quaternion_vector<double> as_quaternions(const Points& vectors);
+
+namespace internal {
+
+/// \ingroup PkgOperators
+/// \brief D and the decomposition of its values: the basis of the vector calculus on a surface [CGP
+/// 3.3, Table 3.1].
+///
+/// Functions and vector fields are given at the vertices, where tangent vectors X and normals are
+/// vectors of R^3; derivatives live on the faces. A face value is q = a + X + b N with the face
+/// normal N. In general
+///
+///     D(a + X + b N) = -curl X + (J grad a - S X + grad b) + (-div X - 2 H b) N,    J X = N x X
+///
+/// ([CGP] has + 2 H b). The error of first derivatives is O(h).
+class Surface_derivative {
+ public:
+  /// \param mesh must outlive the object \pre no face has area zero
+  explicit Surface_derivative(const Mesh_view& mesh);
+
+  const Mesh_view& mesh() const { return m_mesh; }
+  const Quaternionic_sparse_matrix<double>& matrix() const { return m_D; }
+
+  /// N, 3 x |F|
+  const Points& normals() const { return m_normals; }
+
+  /// D of a function or of a vector field: |F|
+  template <class Field>
+  Quaternion_vector<double> operator()(const Field& at_vertices) const
+  {
+    return m_D * as_quaternions(at_vertices);
+  }
+
+  /// \brief D of face values: M_V^-1 D^H M_F q, |V|; applied after D, it gives D^2.
+  Quaternion_vector<double> adjoint(Quaternion_vector<double> q) const;
+
+  /// a, |F|
+  static Eigen::VectorXd real_part(const Quaternion_vector<double>& q);
+
+  /// b, |F|
+  Eigen::VectorXd normal_part(const Quaternion_vector<double>& q) const;
+
+  /// X, 3 x |F|
+  Points tangential_part(const Quaternion_vector<double>& q) const;
+
+ private:
+  const Mesh_view& m_mesh;
+  Quaternionic_sparse_matrix<double> m_D;
+  Points m_normals;
+  Eigen::VectorXd m_areas;
+};
+
+}  // namespace internal
+
+/// \ingroup PkgOperators
+/// \brief grad phi = -N D phi, 3 x |F|: exactly the gradient of the function linear on every face.
+/// \param phi |V|
+Points gradient(const internal::Surface_derivative& d, const Eigen::VectorXd& phi);
+
+/// \ingroup PkgOperators
+/// \brief curl X = -Re(D X), |F|: <del_1 X, E_2> - <del_2 X, E_1> in an oriented frame, the
+/// circulation per area. ([CGP Table 3.1] has the opposite sign.)
+/// \param X tangent vectors at the vertices, 3 x |V|
+Eigen::VectorXd curl(const internal::Surface_derivative& d, const Points& X);
+
+/// \ingroup PkgOperators
+/// \brief div X = Re(N D X), |F|: the flux out of a small circle, per area.
+/// \param X tangent vectors at the vertices, 3 x |V|
+Eigen::VectorXd divergence(const internal::Surface_derivative& d, const Points& X);
+
+/// \ingroup PkgOperators
+/// \brief Delta phi = Re(D^2 phi) at the vertices, |V|: positive semidefinite, and exactly the
+/// cotan Laplacian divided by the vertex areas.
+/// \param phi |V|
+Eigen::VectorXd laplacian(const internal::Surface_derivative& d, const Eigen::VectorXd& phi);
+
+/// \ingroup PkgOperators
+/// \brief the Hodge Laplacian on vector fields, (D (Re DX + (DX)^N))^T at the vertices, 3 x |V|:
+/// D^2 X without the contribution of S X. Positive semidefinite.
+///
+/// [CGP Prop 3.4.9] has only (DX)^N, which gives -grad div X.
+/// \param X tangent vectors at the vertices, 3 x |V| \param normals of the vertices, 3 x |V|
+Points vector_laplacian(const internal::Surface_derivative& d, const Points& X,
+                        const Points& normals);
+
+/// \ingroup PkgOperators
+/// \brief the derivative of a function along X, del_X phi = Re(X N D phi) = <X, grad phi>, |F|.
+/// \param X tangent vectors on the faces, 3 x |F| \param phi |V|
+Eigen::VectorXd covariant_derivative(const internal::Surface_derivative& d, const Points& X,
+                                     const Eigen::VectorXd& phi);
+
+/// \ingroup PkgOperators
+/// \brief the covariant derivative of a vector field, del_X Y = (dY(X))^T, 3 x |F|: the tangential
+/// part of the derivative of its coordinates in R^3 along X.
+/// \param X tangent vectors on the faces, 3 x |F| \param Y tangent vectors at the vertices, 3 x |V|
+Points covariant_derivative(const internal::Surface_derivative& d, const Points& X,
+                            const Points& Y);
+
+/// \ingroup PkgOperators
+/// \brief S X = -(D X)^T, 3 x |F|: dN = df S, the identity on the unit sphere with normals outward.
+/// \param X tangent vectors at the vertices, 3 x |V|
+Points shape_operator(const internal::Surface_derivative& d, const Points& X);
+
+/// \ingroup PkgOperators
+/// \brief the first fundamental form, I(X, Y) = -Re(X Y) = <X, Y>: one number for each column.
+Eigen::VectorXd first_fundamental_form(const Points& X, const Points& Y);
+
+/// \ingroup PkgOperators
+/// \brief the second fundamental form, II(X, Y) = Re(Y D X) = <S X, Y>, |F|: positive on the unit
+/// sphere. (Minus the form that [CGP 2.2] defines, whose sign is inconsistent with the rest of it.)
+/// \param X tangent vectors at the vertices, 3 x |V| \param Y tangent vectors on the faces, 3 x |F|
+Eigen::VectorXd second_fundamental_form(const internal::Surface_derivative& d, const Points& X,
+                                        const Points& Y);
+
+/// \ingroup PkgOperators
+/// \brief N = -1/2 D f, 3 x |F|: exactly the face normals.
+Points dirac_normals(const internal::Surface_derivative& d);
+
+/// \ingroup PkgOperators
+/// \brief the mean curvature H = 1/2 N D N = -1/2 <N, D N> on the faces, |F|; +1 on the unit
+/// sphere.
+///
+/// First order, and damps high frequencies as D does. At vertices and for flows, use
+/// `mean_curvature()`.
+/// \param normals of the surface at its vertices, 3 x |V|
+Eigen::VectorXd dirac_mean_curvature(const internal::Surface_derivative& d, const Points& normals);
+
+/// \ingroup PkgOperators
+/// \brief the Gauss curvature K = 1/2 <N, Im(D^2) N> at the vertices, |V|, from the imaginary part
+/// of D^H M_F D, whose rows sum to zero and which contains only the jumps of the face normals.
+///
+/// The integral of K is exact for the matrix: second order on regular meshes.
+/// \param normals of the surface at its vertices, 3 x |V|
+/// \pre the surface is closed
+Eigen::VectorXd dirac_gauss_curvature(const internal::Surface_derivative& d, const Points& normals);
+
+}  // namespace Conformal_geometry_processing
