@@ -17,8 +17,8 @@ using namespace Conformal_geometry_processing;
 ///
 /// Products of quaternions do not commute: A x multiplies the scalars of x from the left. A model
 /// whose solutions are less exact than those of a factorization says so. For templates over both
-/// scalars, `Conformal_geometry_processing::conjugate()` of `algebra/scalar.h` is the identity on
-/// numbers, and `Hermitian_sparse_matrix::diagonal()` a number.
+/// scalars, `Conformal_geometry_processing::conjugate()` of `algebra/Quaternion.h` is the identity
+/// on numbers, and `Hermitian_sparse_matrix::diagonal()` a number.
 ///
 /// Where only a preconditioner is wanted, as by the eigensolvers, a model may save time and memory
 /// by two more members, `factorize_preconditioner(A, shift)` and `precondition(b, x)`, with the

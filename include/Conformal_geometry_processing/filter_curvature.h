@@ -7,7 +7,7 @@
 #include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/flow/filtered_on_surface.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>
-#include <Conformal_geometry_processing/painting/Curvature_band.h>
+#include <Conformal_geometry_processing/painting/image_filters.h>
 
 #include <CGAL/number_utils.h>
 

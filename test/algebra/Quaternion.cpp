@@ -1,12 +1,11 @@
-// Tests algebra/Quaternion.h
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/algebra/Quaternion.h>
 
+#include <gtest/gtest.h>
 #include <Eigen/Geometry>
 
-#include <gtest/gtest.h>
-
 #include <cmath>
+#include <complex>
 #include <limits>
 #include <random>
 
@@ -133,6 +132,19 @@ TYPED_TEST(Quaternion, spins_as_a_rotation_matrix_does)
   const Eigen::Matrix<TypeParam, 3, 1> t = -std::sin(theta / 2) * u;
   const Eigen::Matrix<TypeParam, 3, 1> expected = Eigen::AngleAxis<TypeParam>(theta, u) * v;
   this->expect_near(CGP::spin(Q{std::cos(theta / 2), t[0], t[1], t[2]}, v), expected);
+}
+
+TEST(Scalar_traits, turn_numbers_into_scalars_and_back)
+{
+  using Q = CGP::Quaternion<double>;
+  EXPECT_EQ(CGP::internal::Scalar_traits<double>::real(3.), 3.);
+  EXPECT_EQ(CGP::internal::Scalar_traits<std::complex<double>>::real({3., 4.}), 3.);
+  EXPECT_EQ(CGP::internal::Scalar_traits<Q>::real({3, 4, 5, 6}), 3.);
+  EXPECT_EQ(CGP::internal::Scalar_traits<double>::from_real(3.), 3.);
+  EXPECT_EQ(CGP::internal::Scalar_traits<std::complex<double>>::from_real(3.), 3.);
+  EXPECT_EQ(CGP::internal::Scalar_traits<Q>::from_real(3.), (Q{3, 0, 0, 0}));
+  EXPECT_EQ(CGP::conjugate(2.), 2.);
+  EXPECT_EQ(CGP::conjugate(std::complex<double>(1, 2)), std::complex<double>(1, -2));
 }
 
 }  // namespace cgp_test::quaternion_tests

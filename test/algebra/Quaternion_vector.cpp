@@ -1,9 +1,9 @@
-// Tests algebra/Quaternion_vector.h
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
 
 namespace cgp_test::quaternion_vector_tests {
@@ -64,6 +64,108 @@ TEST(Inner_product, weighs_squared_norms_by_the_masses)
   const CGP::Vector<double> m = Eigen::Vector2d(2, 10);
   EXPECT_EQ(CGP::inner_product(a, m, a), (Q{492, 0, 0, 0}));
   EXPECT_EQ(CGP::inner_product(a, a), (Q{146, 0, 0, 0}));
+}
+
+Q random_quaternion(std::mt19937& generator)
+{
+  std::uniform_real_distribution<double> number(-1, 1);
+  return {number(generator), number(generator), number(generator), number(generator)};
+}
+
+Eigen::Vector4d vector(const Q& q)
+{
+  return {q.w, q.x, q.y, q.z};
+}
+
+TEST(Real_block, is_the_multiplication_from_the_left)
+{
+  std::mt19937 generator(1);
+  for (int n = 0; n < 20; ++n) {
+    const Q p = random_quaternion(generator), q = random_quaternion(generator);
+    EXPECT_LE((CGP::real_block(p) * vector(q) - vector(p * q)).norm(), 1e-15);
+  }
+}
+
+TEST(Real_block, turns_products_into_products_and_conjugates_into_transposes)
+{
+  std::mt19937 generator(2);
+  for (int n = 0; n < 20; ++n) {
+    const Q p = random_quaternion(generator), q = random_quaternion(generator);
+    EXPECT_LE((CGP::real_block(p * q) - CGP::real_block(p) * CGP::real_block(q)).norm(), 1e-14);
+    EXPECT_EQ(CGP::real_block(CGP::conjugate(q)), CGP::real_block(q).transpose());
+  }
+}
+
+TEST(Complex_block, is_the_multiplication_from_the_left)
+{
+  std::mt19937 generator(3);
+  for (int n = 0; n < 20; ++n) {
+    const Q p = random_quaternion(generator), q = random_quaternion(generator);
+    const Eigen::Vector2cd left = CGP::complex_block(p) * CGP::complex_coordinates(q);
+    EXPECT_LE((left - CGP::complex_coordinates(p * q)).norm(), 1e-15);
+  }
+}
+
+TEST(Complex_block, turns_products_into_products_and_conjugates_into_adjoints)
+{
+  std::mt19937 generator(4);
+  for (int n = 0; n < 20; ++n) {
+    const Q p = random_quaternion(generator), q = random_quaternion(generator);
+    const Eigen::Matrix2cd product = CGP::complex_block(p) * CGP::complex_block(q);
+    EXPECT_LE((CGP::complex_block(p * q) - product).norm(), 1e-14);
+    EXPECT_EQ(CGP::complex_block(CGP::conjugate(q)), CGP::complex_block(q).adjoint());
+  }
+}
+
+TEST(Complex_coordinates, let_complex_numbers_act_from_the_right)
+{
+  std::mt19937 generator(5);
+  const std::complex<double> c(0.3, -1.7);
+  const Q as_quaternion{c.real(), c.imag(), 0, 0};
+  for (int n = 0; n < 20; ++n) {
+    const Q q = random_quaternion(generator);
+    EXPECT_LE(
+        (CGP::complex_coordinates(q * as_quaternion) - CGP::complex_coordinates(q) * c).norm(),
+        1e-15);
+  }
+}
+
+TEST(Complex_coordinates, can_be_undone)
+{
+  std::mt19937 generator(6);
+  CGP::Quaternion_vector<double> v(5);
+  for (Q& q : v) q = random_quaternion(generator);
+  const auto c = CGP::to_complex(v);
+  ASSERT_EQ(c.size(), 10);
+  const auto w = CGP::from_complex(c);
+  for (int i = 0; i < 5; ++i) {
+    EXPECT_EQ(w[i], v[i]);
+    EXPECT_EQ(CGP::quaternion(c[2 * i], c[2 * i + 1]), v[i]);
+  }
+}
+
+TEST(Random_quaternions, are_the_same_for_the_same_seed_only)
+{
+  const auto x = CGP::random_quaternions(50, 2, 7);
+  ASSERT_EQ(x.rows(), 50);
+  ASSERT_EQ(x.cols(), 2);
+  EXPECT_TRUE(x == CGP::random_quaternions(50, 2, 7));
+  EXPECT_FALSE(x == CGP::random_quaternions(50, 2, 8));
+}
+
+TEST(Random_quaternions, have_independent_components_uniform_around_zero)
+{
+  const auto x = CGP::random_quaternions(10000, 2, 3);
+  Eigen::MatrixXd c(x.size(), 4);
+  for (Eigen::Index i = 0; i < x.size(); ++i)
+    c.row(i) << x.data()[i].w, x.data()[i].x, x.data()[i].y, x.data()[i].z;
+  EXPECT_GE(c.minCoeff(), -.5);
+  EXPECT_LT(c.maxCoeff(), .5);
+  // Five standard deviations: 1/12 is the variance of a component.
+  const double n = static_cast<double>(x.size()), deviation = 5 / std::sqrt(12 * n);
+  EXPECT_LT(c.colwise().mean().cwiseAbs().maxCoeff(), deviation);
+  const Eigen::Matrix4d covariance = c.transpose() * c / n;
+  EXPECT_LT((covariance - Eigen::Matrix4d::Identity() / 12).cwiseAbs().maxCoeff(), deviation);
 }
 
 }  // namespace cgp_test::quaternion_vector_tests

@@ -1,7 +1,7 @@
-// Tests include/Conformal_geometry_processing/algebra/scalar.h
+// Tests algebra/Quaternion.h
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 
-#include <Conformal_geometry_processing/algebra/scalar.h>
+#include <Conformal_geometry_processing/algebra/Quaternion.h>
 
 #include <gtest/gtest.h>
 

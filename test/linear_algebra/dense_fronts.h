@@ -1,7 +1,7 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #pragma once
 
-#include <Conformal_geometry_processing/algebra/scalar.h>
+#include <Conformal_geometry_processing/algebra/Quaternion.h>
 #include <Conformal_geometry_processing/linear_algebra/vector_units/Vector_unit.h>
 
 #include <Eigen/Dense>

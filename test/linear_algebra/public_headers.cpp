@@ -9,7 +9,7 @@
 #include <Conformal_geometry_processing/linear_algebra/reduced_solver.h>
 #include <Conformal_geometry_processing/linear_algebra/settings.h>
 
-#include <Conformal_geometry_processing/algebra/random_quaternions.h>
+#include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include "Surface_input.h"
 
 #include <Conformal_geometry_processing/operators/Curvature_potential.h>
-#include <Conformal_geometry_processing/painting/Gray_image.h>
+#include <Conformal_geometry_processing/painting/image_filters.h>
 
 namespace conformal {
 

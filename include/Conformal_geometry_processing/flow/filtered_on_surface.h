@@ -5,7 +5,7 @@
 #include <Conformal_geometry_processing/linear_algebra/direct/Solver_ref.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 #include <Conformal_geometry_processing/mesh/Normalized_frame.h>
-#include <Conformal_geometry_processing/painting/Curvature_band.h>
+#include <Conformal_geometry_processing/painting/image_filters.h>
 
 #include <Eigen/Core>
 

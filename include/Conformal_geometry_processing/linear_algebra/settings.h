@@ -5,4 +5,4 @@
 /// \brief Number of threads, and vector units.
 
 #include <Conformal_geometry_processing/linear_algebra/vector_units/Vector_unit.h>
-#include <Conformal_geometry_processing/threads/number_of_threads.h>
+#include <Conformal_geometry_processing/threads/Thread_team.h>

@@ -3,7 +3,7 @@
 
 #include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
-#include <Conformal_geometry_processing/threads/parallel_loops.h>
+#include <Conformal_geometry_processing/threads/Thread_team.h>
 
 #include <Eigen/Core>
 

@@ -1,10 +1,66 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #pragma once
 
-#include <Conformal_geometry_processing/painting/Curvature_band.h>
-#include <Conformal_geometry_processing/painting/Gray_image.h>
+#include <Eigen/Core>
+
+#include <cmath>
 
 namespace Conformal_geometry_processing {
+
+/// \ingroup PkgPainting
+/// \brief A gray-scale image, 0 for black and 1 for white, with values at the centres of its
+/// pixels.
+class Gray_image {
+ public:
+  /// \param pixels row by row from the top
+  /// \throw Precondition_error if the image is empty
+  explicit Gray_image(Eigen::ArrayXXd pixels);
+
+  Eigen::Index width() const { return m_pixels.cols(); }
+  Eigen::Index height() const { return m_pixels.rows(); }
+  const Eigen::ArrayXXd& pixels() const { return m_pixels; }
+
+  /// \brief Returns the value at (u, v) in [0, 1]^2 by bilinear interpolation between the centres
+  /// of pixels, constant near the border; (0, 0) is the lower left corner, as for texture
+  /// coordinates.
+  ///
+  /// The image is repeated periodically outside the square. NaN if a coordinate is not finite.
+  double operator()(double u, double v) const;
+
+  /// Returns the values at many positions, one per column
+  Eigen::VectorXd operator()(const Eigen::Matrix2Xd& places) const;
+
+ private:
+  // Maps t to [0, 1] periodically, except that 1 is the last pixel and not the first one.
+  static double repeated(double t) { return t >= 0 && t <= 1 ? t : t - std::floor(t); }
+
+  double pixel(Eigen::Index row, Eigen::Index column) const;
+
+  Eigen::ArrayXXd m_pixels;
+};
+
+/// \ingroup PkgPainting
+/// \brief Frequency band selected by a filter, for functions on an image or on a surface whose high
+/// frequencies are known [CGP 6.2]
+enum class Curvature_band {
+  low,     ///< low-pass: keeps the large features
+  high,    ///< high-pass: keeps the small features
+  unsharp  ///< adds a multiple of the high frequencies: emphasizes the small features
+};
+
+/// \ingroup PkgPainting
+/// \brief Returns the band of a function.
+/// \param values a vector or an array
+/// \param high its high frequencies
+/// \param amount of `Curvature_band::unsharp`
+template <class Values>
+Values band_of(const Values& values, const Values& high, Curvature_band band, double amount = 1)
+{
+  if (band == Curvature_band::low) return values - high;
+  if (band == Curvature_band::high) return high;
+  return values + amount * high;
+}
+
 /// \ingroup PkgPainting
 /// \brief Returns G * g, a Gaussian blur: every pixel becomes a weighted mean of its neighbours.
 ///

@@ -3,7 +3,7 @@
 
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 #include <Conformal_geometry_processing/operators/Curvature_potential.h>
-#include <Conformal_geometry_processing/painting/Gray_image.h>
+#include <Conformal_geometry_processing/painting/image_filters.h>
 
 #include <Eigen/Core>
 

@@ -2,7 +2,7 @@
 #include <Conformal_geometry_processing/spin/certify.h>
 
 #include <Conformal_geometry_processing/measure/Conformality.h>
-#include <Conformal_geometry_processing/threads/parallel_loops.h>
+#include <Conformal_geometry_processing/threads/Thread_team.h>
 
 #include <Eigen/Core>
 

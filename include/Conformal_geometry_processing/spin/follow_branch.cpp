@@ -2,7 +2,7 @@
 #include <Conformal_geometry_processing/spin/follow_branch.h>
 
 #include <Conformal_geometry_processing/linear_algebra/dense/hermitian_eigen_decomposition.h>
-#include <Conformal_geometry_processing/threads/parallel_loops.h>
+#include <Conformal_geometry_processing/threads/Thread_team.h>
 
 #include <Eigen/Core>
 #include <algorithm>

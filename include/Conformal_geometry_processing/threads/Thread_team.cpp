@@ -1,6 +1,8 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/threads/Thread_team.h>
 
+#include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <exception>
 #include <functional>
@@ -8,7 +10,29 @@
 #include <thread>
 #include <utility>
 
-namespace Conformal_geometry_processing::internal {
+namespace Conformal_geometry_processing {
+namespace internal {
+
+std::atomic<int>& thread_setting()
+{
+  static std::atomic<int> threads{1};
+  return threads;
+}
+
+}  // namespace internal
+
+int number_of_threads()
+{
+  return internal::thread_setting();
+}
+
+void set_number_of_threads(int threads)
+{
+  const int all = (std::max)(1, static_cast<int>(std::thread::hardware_concurrency()));
+  internal::thread_setting() = (std::min)(threads > 0 ? threads : all, 1024);
+}
+
+namespace internal {
 
 /// What this thread belongs to
 struct Membership {
@@ -102,4 +126,6 @@ void Thread_team::attempt(const std::function<void()>& work)
   membership().is_working = was_working;
 }
 
-}  // namespace Conformal_geometry_processing::internal
+}  // namespace internal
+
+}  // namespace Conformal_geometry_processing

@@ -1,6 +1,6 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 // Tests linear_algebra/dense/hermitian_eigen_decomposition.h
-#include <Conformal_geometry_processing/algebra/quaternion_blocks.h>
+#include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
 #include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/linear_algebra/dense/hermitian_eigen_decomposition.h>
 

@@ -3,7 +3,7 @@
 
 #include <Conformal_geometry_processing/linear_algebra/vector_units/Substitution_kernels.h>
 
-#include <Conformal_geometry_processing/algebra/scalar.h>
+#include <Conformal_geometry_processing/algebra/Quaternion.h>
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <Conformal_geometry_processing/algebra/Quaternion.h>
-#include <Conformal_geometry_processing/algebra/quaternion_blocks.h>
+#include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
 
 #include <Eigen/Core>
 

@@ -4,7 +4,7 @@
 #include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
 #include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/linear_algebra/dense/Solver_status.h>
-#include <Conformal_geometry_processing/threads/parallel_loops.h>
+#include <Conformal_geometry_processing/threads/Thread_team.h>
 
 #include <cstddef>
 #include <type_traits>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
-#include <Conformal_geometry_processing/threads/parallel_loops.h>
+#include <Conformal_geometry_processing/threads/Thread_team.h>
 
 #include <Eigen/Core>
 

@@ -6,7 +6,7 @@
 #include <Conformal_geometry_processing/linear_algebra/direct/Supernodal_substitution.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/choose_ordering.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/largest_number.h>
-#include <Conformal_geometry_processing/threads/parallel_loops.h>
+#include <Conformal_geometry_processing/threads/Thread_team.h>
 
 #include <algorithm>
 #include <array>

@@ -1,10 +1,9 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/linear_algebra/direct/Supernodal_factor.h>
 
-#include <Conformal_geometry_processing/algebra/scalar.h>
+#include <Conformal_geometry_processing/algebra/Quaternion.h>
 #include <Conformal_geometry_processing/linear_algebra/vector_units/Vector_unit.h>
 #include <Conformal_geometry_processing/threads/Thread_team.h>
-#include <Conformal_geometry_processing/threads/number_of_threads.h>
 
 #include <algorithm>
 #include <atomic>

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
-#include <Conformal_geometry_processing/algebra/scalar.h>
+#include <Conformal_geometry_processing/algebra/Quaternion.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Aligned_array.h>
-#include <Conformal_geometry_processing/threads/parallel_loops.h>
+#include <Conformal_geometry_processing/threads/Thread_team.h>
 
 #include <algorithm>
 #include <cmath>

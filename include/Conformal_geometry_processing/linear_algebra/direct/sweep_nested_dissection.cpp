@@ -2,7 +2,7 @@
 #include <Conformal_geometry_processing/linear_algebra/direct/sweep_nested_dissection.h>
 
 #include <Conformal_geometry_processing/linear_algebra/direct/vertex_separator.h>
-#include <Conformal_geometry_processing/threads/number_of_threads.h>
+#include <Conformal_geometry_processing/threads/Thread_team.h>
 
 #include <Eigen/Core>
 

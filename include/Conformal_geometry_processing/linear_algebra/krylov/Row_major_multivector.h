@@ -2,7 +2,7 @@
 #pragma once
 
 #include <Conformal_geometry_processing/linear_algebra/dense/block_products.h>
-#include <Conformal_geometry_processing/threads/parallel_loops.h>
+#include <Conformal_geometry_processing/threads/Thread_team.h>
 
 #include <Eigen/Core>
 

@@ -1,7 +1,7 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/linear_algebra/multigrid/Multigrid_solver.h>
 
-#include <Conformal_geometry_processing/algebra/scalar.h>
+#include <Conformal_geometry_processing/algebra/Quaternion.h>
 #include <Conformal_geometry_processing/linear_algebra/dense/Solver_status.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Ordering.h>
 #include <Conformal_geometry_processing/linear_algebra/krylov/conjugate_gradients.h>

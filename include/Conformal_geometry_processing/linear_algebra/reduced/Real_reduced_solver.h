@@ -3,7 +3,6 @@
 
 #include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
 #include <Conformal_geometry_processing/algebra/Reduced_basis.h>
-#include <Conformal_geometry_processing/algebra/Reduced_rows.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Solver_ref.h>
 
 #include <utility>

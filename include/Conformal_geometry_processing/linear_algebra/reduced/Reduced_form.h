@@ -1,7 +1,7 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #pragma once
 
-#include <Conformal_geometry_processing/algebra/Reduced_rows.h>
+#include <Conformal_geometry_processing/algebra/Reduced_basis.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/choose_ordering.h>
 
 #include <Eigen/Core>
