@@ -1,5 +1,5 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-// Tests include/Conformal_geometry_processing/conformal_deformation.h core/control_points.h
+// Tests include/Conformal_geometry_processing/conformal_deformation.h core/spin_parameters.h
 #include <Conformal_geometry_processing/conformal_deformation.h>
 
 #include <CGAL/Aff_transformation_3.h>

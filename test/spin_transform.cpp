@@ -1,6 +1,6 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 // Tests include/Conformal_geometry_processing/spin_transform.h
-// Tests core/dirac_parameters.h, core/read_curvature_potential.h, core/write_spin_result.h
+// Tests core/dirac_parameters.h, core/spin_parameters.h
 #include <Conformal_geometry_processing/linear_algebra/krylov/inverse_power_method.h>
 
 #include <CGAL/Simple_cartesian.h>

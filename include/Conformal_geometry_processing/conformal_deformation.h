@@ -2,12 +2,10 @@
 #pragma once
 
 #include <Conformal_geometry_processing/core/Graph_view.h>
-#include <Conformal_geometry_processing/core/control_points.h>
 #include <Conformal_geometry_processing/core/dirac_parameters.h>
 #include <Conformal_geometry_processing/core/geometry_traits.h>
 #include <Conformal_geometry_processing/core/named_parameters.h>
-#include <Conformal_geometry_processing/core/scale_parameters.h>
-#include <Conformal_geometry_processing/core/write_spin_result.h>
+#include <Conformal_geometry_processing/core/spin_parameters.h>
 #include <Conformal_geometry_processing/spin/Conformal_deformation.h>
 #include <Conformal_geometry_processing/spin/Spin_visitor.h>
 

@@ -5,7 +5,7 @@
 #include <Conformal_geometry_processing/core/boundary_parameters.h>
 #include <Conformal_geometry_processing/core/dirac_parameters.h>
 #include <Conformal_geometry_processing/core/named_parameters.h>
-#include <Conformal_geometry_processing/core/read_curvature_potential.h>
+#include <Conformal_geometry_processing/core/spin_parameters.h>
 #include <Conformal_geometry_processing/mesh/topology.h>
 #include <Conformal_geometry_processing/spin/Dirac_spectral_problem.h>
 

@@ -4,7 +4,7 @@
 #include <Conformal_geometry_processing/core/Graph_view.h>
 #include <Conformal_geometry_processing/core/dirac_parameters.h>
 #include <Conformal_geometry_processing/core/named_parameters.h>
-#include <Conformal_geometry_processing/core/write_spin_result.h>
+#include <Conformal_geometry_processing/core/spin_parameters.h>
 #include <Conformal_geometry_processing/surfaces/dirac_sphere.h>
 
 namespace Conformal_geometry_processing {

@@ -5,7 +5,7 @@
 #include <Conformal_geometry_processing/core/boundary_parameters.h>
 #include <Conformal_geometry_processing/core/dirac_parameters.h>
 #include <Conformal_geometry_processing/core/named_parameters.h>
-#include <Conformal_geometry_processing/core/write_spin_result.h>
+#include <Conformal_geometry_processing/core/spin_parameters.h>
 #include <Conformal_geometry_processing/surfaces/minimal_surface.h>
 
 namespace Conformal_geometry_processing {

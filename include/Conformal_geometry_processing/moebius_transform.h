@@ -3,7 +3,6 @@
 
 #include <Conformal_geometry_processing/algebra/Moebius_map.h>
 #include <Conformal_geometry_processing/core/Graph_view.h>
-#include <Conformal_geometry_processing/core/Quaternion_access.h>
 #include <Conformal_geometry_processing/core/geometry_traits.h>
 #include <Conformal_geometry_processing/core/named_parameters.h>
 #include <Conformal_geometry_processing/core/write_points.h>

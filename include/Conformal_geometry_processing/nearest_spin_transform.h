@@ -6,8 +6,7 @@
 #include <Conformal_geometry_processing/core/dirac_parameters.h>
 #include <Conformal_geometry_processing/core/geometry_traits.h>
 #include <Conformal_geometry_processing/core/named_parameters.h>
-#include <Conformal_geometry_processing/core/scale_parameters.h>
-#include <Conformal_geometry_processing/core/write_spin_result.h>
+#include <Conformal_geometry_processing/core/spin_parameters.h>
 #include <Conformal_geometry_processing/spin/Nearest_spin_transformation.h>
 #include <Conformal_geometry_processing/spin/Spin_visitor.h>
 

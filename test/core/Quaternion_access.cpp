@@ -1,6 +1,6 @@
-// Tests core/Quaternion_access.h
+// Tests core/write_points.h
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-#include <Conformal_geometry_processing/core/Quaternion_access.h>
+#include <Conformal_geometry_processing/core/write_points.h>
 
 #include <Eigen/Geometry>
 

@@ -1,7 +1,6 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #pragma once
 
-#include <Conformal_geometry_processing/core/Associated_property_map.h>
 #include <Conformal_geometry_processing/core/Conformal_mesh_traits.h>
 
 #include <CGAL/Polyhedron_3.h>

@@ -1,14 +1,11 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-// Tests include/Conformal_geometry_processing/core/scale_parameters.h
 #include <Conformal_geometry_processing/conformal_deformation.h>
 #include <Conformal_geometry_processing/spin_transform.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
-
 #include <boost/property_map/function_property_map.hpp>
 #include <boost/property_map/property_map.hpp>
-
 #include <gtest/gtest.h>
 
 #include <optional>
@@ -20,7 +17,7 @@
 #include "support/limbs.h"
 #include "support/views.h"
 
-namespace cgp_test::scale_parameters_tests {
+namespace cgp_test::spin_parameters_tests {
 
 namespace CGP = Conformal_geometry_processing;
 using Kernel = CGAL::Simple_cartesian<double>;
@@ -145,4 +142,4 @@ TEST(Scale_bound_of_a_prescribed_boundary, is_none_by_default)
   EXPECT_EQ(by_default(CGP::Boundary_condition::positions(targets, targets)), std::nullopt);
 }
 
-}  // namespace cgp_test::scale_parameters_tests
+}  // namespace cgp_test::spin_parameters_tests
