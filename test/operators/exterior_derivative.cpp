@@ -1,4 +1,3 @@
-// Tests include/Conformal_geometry_processing/operators/exterior_derivative.h
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/operators/cotan_laplacian.h>
 #include <Conformal_geometry_processing/operators/exterior_derivative.h>
@@ -50,24 +49,13 @@ TEST(Exterior_derivative_1, sees_each_inner_edge_from_both_sides)
   EXPECT_EQ(sum, Eigen::RowVectorXd::Zero(90));
 }
 
-TEST(Hodge_star_1, makes_the_cotan_laplacian)
+TEST(Exterior_derivative_0, with_cotan_weights_makes_the_cotan_laplacian)
 {
   for (const Mesh_view& mesh : sample_meshes()) {
     const Eigen::MatrixXd d = CGP::exterior_derivative_0(mesh);
-    const Eigen::MatrixXd L = d.transpose() * CGP::hodge_star_1(mesh).asDiagonal() * d;
+    const Eigen::MatrixXd L = d.transpose() * CGP::cotan_weights(mesh).asDiagonal() * d;
     EXPECT_LT((L - dense(CGP::cotan_laplacian(mesh))).cwiseAbs().maxCoeff(), 1e-13);
   }
-}
-
-TEST(Hodge_star_0, is_the_area_of_each_vertex)
-{
-  EXPECT_LT((CGP::hodge_star_0(unit_square()) - Eigen::Vector4d(2, 1, 2, 1) / 6).norm(), 1e-15);
-}
-
-TEST(Hodge_star_2, is_one_over_the_area_of_each_face)
-{
-  EXPECT_EQ(CGP::hodge_star_2(single_triangle())[0], 1);
-  EXPECT_EQ(CGP::hodge_star_2(unit_square()), Eigen::Vector2d(2, 2));
 }
 
 }  // namespace cgp_test::exterior_derivative_tests

@@ -24,12 +24,20 @@ double energy_of_class(double b)
   return pi * pi * (b + 1 / b);
 }
 
+/// the unit quaternion whose projection is p
+Quaternion inverse_stereographic_projection(const Eigen::Vector3d& p)
+{
+  const double s = p.squaredNorm();
+  Quaternion q = CGP::imaginary(2 * p);
+  q.w = s - 1;
+  return q / (s + 1);
+}
+
 /// the image of the same surface in the 3-sphere, seen from another point p
 Mesh_view seen_from(const Quaternion& p, const Mesh_view& mesh)
 {
   return mapped(mesh, [&](const Eigen::Vector3d& x) -> Eigen::Vector3d {
-    return CGP::stereographic_projection(CGP::conjugate(p) *
-                                         CGP::inverse_stereographic_projection(x));
+    return CGP::stereographic_projection(CGP::conjugate(p) * inverse_stereographic_projection(x));
   });
 }
 
@@ -64,7 +72,7 @@ TEST(Stereographic_projection, scales_distances_by_one_factor_from_each_end)
                           y = CGP::stereographic_projection(b);
     EXPECT_NEAR((x - y).norm(), CGP::norm(a - b) / std::sqrt((1 - a.w) * (1 - b.w)),
                 1e-12 * (x.norm() + y.norm() + 1));
-    EXPECT_LT(CGP::norm(CGP::inverse_stereographic_projection(x) - a), 1e-13);
+    EXPECT_LT(CGP::norm(inverse_stereographic_projection(x) - a), 1e-13);
   }
 }
 

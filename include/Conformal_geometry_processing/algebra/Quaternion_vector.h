@@ -223,27 +223,6 @@ Eigen::Matrix<std::complex<FT>, 2, 2> complex_block(const Quaternion<FT>& q)
 }
 
 /// \ingroup PkgAlgebra
-/// Converts a vector of n quaternions to 2n complex numbers
-template <class FT>
-Vector<std::complex<FT>> to_complex(const Quaternion_vector<FT>& v)
-{
-  Vector<std::complex<FT>> c(2 * v.size());
-  for (Eigen::Index i = 0; i < v.size(); ++i)
-    c.template segment<2>(2 * i) = complex_coordinates(v[i]);
-  return c;
-}
-
-/// \ingroup PkgAlgebra
-/// Converts 2n complex numbers to a vector of n quaternions
-template <class FT>
-Quaternion_vector<FT> from_complex(const Vector<std::complex<FT>>& c)
-{
-  Quaternion_vector<FT> v(c.size() / 2);
-  for (Eigen::Index i = 0; i < v.size(); ++i) v[i] = quaternion(c[2 * i], c[2 * i + 1]);
-  return v;
-}
-
-/// \ingroup PkgAlgebra
 /// \brief Random quaternions, whose components are independent and uniform in [-1/2, 1/2); the same
 /// on every platform for the same seed.
 ///

@@ -1,9 +1,6 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/operators/exterior_derivative.h>
 
-#include <Conformal_geometry_processing/operators/cotan_laplacian.h>
-#include <Conformal_geometry_processing/operators/mass_matrices.h>
-
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
@@ -29,21 +26,6 @@ Eigen::SparseMatrix<double, Eigen::RowMajor> exterior_derivative_1(const Mesh_vi
     d.insert(Mesh_view::face(h), mesh.edge(h)) = mesh.from(h) < mesh.to(h) ? 1 : -1;
   d.makeCompressed();
   return d;
-}
-
-Eigen::VectorXd hodge_star_0(const Mesh_view& mesh)
-{
-  return vertex_areas(mesh);
-}
-
-Eigen::VectorXd hodge_star_1(const Mesh_view& mesh)
-{
-  return cotan_weights(mesh);
-}
-
-Eigen::VectorXd hodge_star_2(const Mesh_view& mesh)
-{
-  return face_areas(mesh).cwiseInverse();
 }
 
 }  // namespace Conformal_geometry_processing

@@ -17,16 +17,4 @@ Eigen::SparseMatrix<double, Eigen::RowMajor> exterior_derivative_0(const Mesh_vi
 /// d1: |F| x |E|, the circulation around each face; d1 d0 = 0 exactly [CGP 5.6]
 Eigen::SparseMatrix<double, Eigen::RowMajor> exterior_derivative_1(const Mesh_view& mesh);
 
-/// \ingroup PkgOperators
-/// the diagonal of the Hodge star on 0-forms: barycentric areas, |V|
-Eigen::VectorXd hodge_star_0(const Mesh_view& mesh);
-
-/// \ingroup PkgOperators
-/// the diagonal of the Hodge star on 1-forms: cotan weights, |E|; not all positive
-Eigen::VectorXd hodge_star_1(const Mesh_view& mesh);
-
-/// \ingroup PkgOperators
-/// the diagonal of the Hodge star on 2-forms: 1 / area, |F|
-Eigen::VectorXd hodge_star_2(const Mesh_view& mesh);
-
 }  // namespace Conformal_geometry_processing

@@ -15,14 +15,6 @@ Eigen::Vector3d stereographic_projection(const Quaternion<double>& q)
   return imaginary_part(q) / (1 - q.w);
 }
 
-Quaternion<double> inverse_stereographic_projection(const Eigen::Vector3d& p)
-{
-  const double s = p.squaredNorm();
-  Quaternion<double> q = imaginary(2 * p);
-  q.w = s - 1;
-  return q / (s + 1);
-}
-
 Mesh_view round_torus(double R, double r, int m, int n)
 {
   if (!(R > r && r > 0 && std::isfinite(R)))

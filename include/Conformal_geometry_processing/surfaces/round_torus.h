@@ -56,10 +56,6 @@ Mesh_view torus_grid(int m, int n, int shift, Point point)
 Eigen::Vector3d stereographic_projection(const Quaternion<double>& q);
 
 /// \ingroup PkgSurfaces
-/// Returns the unit quaternion whose projection is p
-Quaternion<double> inverse_stereographic_projection(const Eigen::Vector3d& p);
-
-/// \ingroup PkgSurfaces
 /// \brief Creates the torus of revolution about the axis z whose tube of radius r has the distance
 /// R from the axis; normals point outward.
 ///
