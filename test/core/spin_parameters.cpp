@@ -4,9 +4,9 @@
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
+#include <gtest/gtest.h>
 #include <boost/property_map/function_property_map.hpp>
 #include <boost/property_map/property_map.hpp>
-#include <gtest/gtest.h>
 
 #include <optional>
 #include <utility>

@@ -2,7 +2,7 @@
 #include <Conformal_geometry_processing/spin/closed_spins.h>
 
 #include <Conformal_geometry_processing/operators/Curvature_potential.h>
-#include <Conformal_geometry_processing/operators/potential_derivative.h>
+#include <Conformal_geometry_processing/operators/dirac_energy.h>
 #include <Conformal_geometry_processing/spin/Period_residual.h>
 #include <Conformal_geometry_processing/spin/Spin_gauge.h>
 
