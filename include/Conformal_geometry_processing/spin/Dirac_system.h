@@ -108,11 +108,6 @@ class Dirac_system {
   {
     factorize_for(rho, seconds, shift, Use::solution);
   }
-  void set_preconditioner(const Curvature_potential& rho, const Eigen::VectorXd& shift,
-                          Dirac_evidence::Seconds& seconds)
-  {
-    factorize_for(rho, seconds, shift, Use::preconditioner);
-  }
 
   /// the shift of the last `set_potential()` with a share, as a multiple of M_V
   double shift() const { return m_shift; }

@@ -66,8 +66,8 @@ double Relaxed_scales::excess_of(const Relaxed_spins::Spins& lambda) const
 // At the spins where a step begins; none where the bound is far.
 Relaxed_spins::Unknown Relaxed_scales::log_weight()
 {
-  const double far = .8;
-  if (!is_bounded() || (m_weight <= m_options.least_weight && m_excess < far)) return {};
+  const double slack = .8;
+  if (!is_bounded() || (m_weight <= m_options.least_weight && m_excess < slack)) return {};
   m_scales.set_spins(m_spins.lambda());
   return {
       -1. * m_scales.gradient(m_scales.values()), m_response,
@@ -78,14 +78,15 @@ Relaxed_spins::Unknown Relaxed_scales::log_weight()
 double Relaxed_scales::place_weight(const Relaxed_spins::Spins& there,
                                     const Relaxed_spins::Spins& response)
 {
-  const double aim = 1 - m_options.closeness / 2, near = m_options.closeness / 8;
+  const double aim = 1 - m_options.closeness / 2, tolerance = m_options.closeness / 8;
   const double most = std::log(4.), trusted = 1;
   const auto level = [&](double t) {
     return std::log((std::max)(excess_of(there + t * response), .1) / aim);
   };
   const double least = (std::max)(std::log(m_options.least_weight / m_weight), -most);
   const double here = level(0);
-  const double t = std::abs(here) < near ? 0 : root_beyond(level, here, here > 0 ? most : least);
+  const double t =
+      std::abs(here) < tolerance ? 0 : root_beyond(level, here, here > 0 ? most : least);
   m_response = std::abs(t) < trusted ? response : Relaxed_spins::Spins();
   set_weight(m_weight * std::exp(t));
   return t;

@@ -81,7 +81,8 @@ void measure_kept(const Eigen::VectorXd& rho, const Eigen::VectorXd& found,
   const Eigen::VectorXd a = effect(rho), b = effect(found);
   const double wanted = std::sqrt(areas.dot(a.cwiseAbs2()));
   const double kept = std::sqrt(areas.dot(b.cwiseAbs2()));
-  if (wanted == 0) return;
+  const double rounding = 1e-12 * std::sqrt(areas.dot(rho.cwiseAbs2()));
+  if (wanted <= rounding) return;
   scales.kept_norm = kept / wanted;
   scales.kept_correlation = kept == 0 ? 0 : areas.dot(a.cwiseProduct(b)) / (wanted * kept);
 }

@@ -92,7 +92,7 @@ bool Spin_preconditioner::factorize(const Eigen::VectorXd& rho, Relaxed_costs& c
   const bool is_kept = m_system.changes() == m_factored_changes && m_moved < m_reuse &&
                        ratio < most_change && ratio > 1 / most_change;
   if (is_kept) return false;
-  m_system.set_preconditioner(Curvature_potential::on_vertices(rho), shift, costs.seconds);
+  m_system.set_potential(Curvature_potential::on_vertices(rho), shift, costs.seconds);
   ++costs.factorizations;
   m_moved = 0;
   m_factored_stiffness = shift.sum();

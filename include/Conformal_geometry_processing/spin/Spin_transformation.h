@@ -214,7 +214,8 @@ class Spin_transformation {
   bool is_relaxed() const { return m_options.scales.bound || (m_options.exactness && has_loops()); }
 
   /// \brief the surface of `internal::Relaxed_scales` with a given control, whose handles and holes
-  /// are closed by a `internal::Period_residual`.
+  /// are closed by a `internal::Period_residual`; of less of rho, where the mesh is too coarse for
+  /// all of it.
   /// \param stiffness factor of the weights of the misfit
   /// \pre no positions are prescribed
   Spin_result relaxed(const Curvature_potential& rho, const internal::Scale_control& control,
@@ -230,6 +231,15 @@ class Spin_transformation {
 
   /// tells how the equation of rho is solved, |V|, in the frame
   void judge_equation(Eigen::VectorXd rho, Spin_result& result) const;
+
+  /// \brief raises weights until the edges close up and the map is conformal, as far as that helps.
+  /// \param tolerance of the spins
+  void close_up(internal::Relaxed_surface& search, double tolerance,
+                const internal::Go_further& go_further, Spin_result& result);
+
+  /// asks for shares of rho until the edges close up and the map is conformal
+  void ask_for_less(internal::Relaxed_surface& search, const Eigen::VectorXd& wanted,
+                    double tolerance, const internal::Go_further& go_further, Spin_result& result);
 
   /// tells what is kept of rho, or added to it, the constant included
   void tell_shares(const internal::Relaxed_scales& found, const Eigen::VectorXd& wanted,

@@ -86,10 +86,22 @@ void Spin_transformation::move_to_class(Spin_result& result)
   r.scales = now;
 }
 
-/// the mesh is too coarse for what is wanted
-bool is_sheared(const Spin_report& report)
+/// how far the edges are from closing up and, within a bound on lengths, the map from being
+/// conformal, relative to the limits: above 1 the mesh is too coarse for what is wanted
+inline double shear(const Spin_report& report, bool is_bounded)
 {
-  return !report.cancelled && !(report.closure_residual <= .95 * report.limits.closure);
+  const Conformality& map = report.conformality;
+  const double Q = (std::max)(map.quasi_conformal.mean, map.quasi_conformal_of_new_area);
+  const double of_map = (Q - 1) / (report.limits.map.quasi_conformal - 1);
+  const double of_edges = report.closure_residual / report.limits.closure;
+  return is_bounded && of_map > of_edges ? of_map : of_edges;
+}
+
+/// by which weights of the misfit leave about so much less shear; steady where it begins to matter
+inline double stiffening(double shear)
+{
+  const double least = 1.1, most = 9, wanted = .9;
+  return std::isfinite(shear) ? std::clamp(std::pow(shear / wanted, 2), least, most) : most;
 }
 
 /// a search for spins, with what closes handles and holes
@@ -121,25 +133,49 @@ Spin_result Spin_transformation::relaxed(const Curvature_potential& rho,
   internal::Relaxed_scales_options search_options;
   search_options.spins.weights.factor = stiffness;
   internal::Relaxed_surface search(*this, wanted, control, search_options);
-  internal::Relaxed_scales& scales = search.scales;
-  scales.run(m_visits.guarded(go_further));
-  const auto surface = [&] { return surface_of(scales.solution(), options.tolerance); };
-  Spin_result result = surface();
-  double period_weight = internal::Period_residual::default_weight;
-  const int max_tries = 4;
-  for (int i = 0; i < max_tries && !result.report.cancelled; ++i) {
-    const bool is_open = !(result.report.period_defect <= result.report.period_limit);
-    if (is_open) search.periods->set_weight(period_weight *= 30);
-    if (!is_open && !is_sheared(result.report)) break;
-    const double before = result.report.closure_residual;
-    scales.stiffen(is_open ? 1 : 3, m_visits.guarded(go_further));
-    result = surface();
-    const bool is_vain = !(result.report.closure_residual < .95 * before);  // slivers, say
-    if (!is_open && is_vain) break;
-  }
-  if (!result.report.cancelled) tell_shares(scales, wanted, control, result.report);
+  search.scales.run(m_visits.guarded(go_further));
+  Spin_result result = surface_of(search.scales.solution(), options.tolerance);
+  close_up(search, options.tolerance, go_further, result);
+  if (m_options.scales.bound && shear(result.report, true) > 1)
+    ask_for_less(search, wanted, options.tolerance, go_further, result);
+  if (!result.report.cancelled) tell_shares(search.scales, wanted, control, result.report);
   internal::add_costs(result.report, take_unreported());
   return result;
+}
+
+// Not where that is in vain.
+void Spin_transformation::ask_for_less(internal::Relaxed_surface& search,
+                                       const Eigen::VectorXd& wanted, double tolerance,
+                                       const internal::Go_further& go_further, Spin_result& result)
+{
+  const double less = .7, least = .2;
+  const internal::Relaxed_scales::State all = search.scales.state();
+  for (double share = less; share > least; share *= less) {
+    search.scales.follow(share * wanted, m_visits.guarded(go_further));
+    result = surface_of(search.scales.solution(), tolerance);
+    if (result.report.cancelled || shear(result.report, true) <= 1) return;
+  }
+  search.scales.restart(all);
+  result = surface_of(search.scales.solution(), tolerance);  // with all costs
+}
+
+void Spin_transformation::close_up(internal::Relaxed_surface& search, double tolerance,
+                                   const internal::Go_further& go_further, Spin_result& result)
+{
+  double period_weight = internal::Period_residual::default_weight;
+  const int max_tries = 4;
+  const double most_shear = .95, least_gain = .05;
+  const auto present = [&] { return shear(result.report, m_options.scales.bound.has_value()); };
+  for (int i = 0; i < max_tries && !result.report.cancelled; ++i) {
+    const bool is_open = !(result.report.period_defect <= result.report.period_limit);
+    const double before = present();
+    if (!is_open && before <= most_shear) return;
+    if (is_open) search.periods->set_weight(period_weight *= 30);
+    search.scales.stiffen(is_open ? 1 : stiffening(before), m_visits.guarded(go_further));
+    result = surface_of(search.scales.solution(), tolerance);
+    const bool is_vain = !(present() < (1 - least_gain) * before);  // slivers, say
+    if (!is_open && is_vain) return;
+  }
 }
 
 Spin_result Spin_transformation::preview(const Curvature_potential& rho, bool continues)
@@ -175,8 +211,9 @@ void Spin_transformation::tell_shares(const internal::Relaxed_scales& found,
                                       const Eigen::VectorXd& wanted,
                                       const internal::Scale_control& control, Spin_report& report)
 {
-  const Spin_report::Scales kept = found.scales();
+  Spin_report::Scales kept = found.scales();
   const Eigen::VectorXd& areas = system().areas();
+  internal::measure_kept(wanted, found.spins().rho(), areas, system().is_self_adjoint(), kept);
   const Eigen::VectorXd added = found.spins().rho() - wanted;
   report.eigenvalue = areas.dot(added) / areas.sum() / domain().unit();
   if (control.bound) report.scales = kept;

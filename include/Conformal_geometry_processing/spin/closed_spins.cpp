@@ -106,6 +106,7 @@ Closed_spins closed_spins(const Dirac_system& system, const Exactness_constraint
   const Spin_gauge gauge(system);
   Closed_spins s{gauge.normalized(std::move(lambda)), std::move(rho)};
   Period_residual periods(system.surface(), exactness);
+  periods.set_weight(1);  // for which the values are the defect
   periods.set_spins(s.lambda);
   s.period_defect = periods.values().norm();
   if (s.period_defect <= limit) return s;
