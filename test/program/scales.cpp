@@ -154,8 +154,10 @@ TEST_F(Scales, of_surfaces_with_boundary_do_not_matter)
 TEST_F(Scales, of_surfaces_with_boundary_and_their_targets_do_not_matter)
 {
   expect_the_same_at_all_sizes(
-      caps(), {"compare a.off b.off", "fit a.off b.off", "blend a.off b.off --t .5",
-               "deform a.off --targets t.json", "fair a.off --region-expression z-.1"});
+      caps(), {"compare a.off b.off", "fit a.off b.off", "deform a.off --targets t.json",
+               "fair a.off --region-expression z-.1"});
+  // whose rho is corrected by what several transformations leave, which amplifies rounding
+  expect_the_same_at_all_sizes(caps(), {"blend a.off b.off --t .5"}, 1e-5);
 }
 
 }  // namespace cgp_test::scales_tests

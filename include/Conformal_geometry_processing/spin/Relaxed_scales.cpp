@@ -6,8 +6,6 @@
 
 #include <Eigen/Core>
 
-#include <boost/math/tools/toms748_solve.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -38,18 +36,22 @@ Relaxed_scales::Relaxed_scales(Dirac_system& system, const Eigen::VectorXd& rho,
       m_spins(system, m_rho, with_scales(std::move(others), m_scales, is_bounded()), options.spins)
 {}
 
-/// a zero of f between 0 and an end, or the end if there is none
+/// a zero of f between 0 and an end, or the end if there is none: by false positions
 template <class Function>
 double root_beyond(const Function& f, double at_zero, double end)
 {
-  const double at_end = f(end);
-  if (at_zero * at_end >= 0) return end;
-  const auto is_close = [](double a, double b) { return std::abs(b - a) < 1e-3; };
-  boost::uintmax_t most = 8;  // evaluations
-  const auto [a, b] =
-      end > 0 ? boost::math::tools::toms748_solve(f, 0., end, at_zero, at_end, is_close, most)
-              : boost::math::tools::toms748_solve(f, end, 0., at_end, at_zero, is_close, most);
-  return std::abs(f(a)) < std::abs(f(b)) ? a : b;
+  const int most = 6;
+  const double least = 1e-3 * std::abs(at_zero);
+  double a = 0, fa = at_zero, b = end, fb = f(end);
+  for (int i = 0; i < most && fa * fb < 0 && std::abs(fb) > least; ++i) {
+    const double c = b - fb * (b - a) / (fb - fa), fc = f(c);
+    if (fc * fb < 0)
+      a = b, fa = fb;
+    else
+      fa /= 2;  // or one end would never move
+    b = c, fb = fc;
+  }
+  return b;
 }
 
 void Relaxed_scales::set_weight(double weight)

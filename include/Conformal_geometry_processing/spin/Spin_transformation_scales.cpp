@@ -100,7 +100,7 @@ inline double shear(const Spin_report& report, bool is_bounded)
 /// by which weights of the misfit leave about so much less shear; steady where it begins to matter
 inline double stiffening(double shear)
 {
-  const double least = 1.1, most = 9, wanted = .9;
+  const double least = 1.1, most = 3, wanted = .9;
   return std::isfinite(shear) ? std::clamp(std::pow(shear / wanted, 2), least, most) : most;
 }
 
