@@ -1,8 +1,7 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-// Tests linear_algebra/vector_units/Vector_unit.h, linear_algebra/vector_units/unit_kernels.h
-// Tests linear_algebra/vector_units/compiled_kernels.h, linear_algebra/vector_units/unit_tags.h
+// Tests linear_algebra/vector_units/Vector_unit.h linear_algebra/vector_units/compiled_kernels.h
 #include <Conformal_geometry_processing/linear_algebra/vector_units/Vector_unit.h>
-#include <Conformal_geometry_processing/linear_algebra/vector_units/unit_kernels.h>
+#include <Conformal_geometry_processing/linear_algebra/vector_units/compiled_kernels.h>
 
 #include <gtest/gtest.h>
 

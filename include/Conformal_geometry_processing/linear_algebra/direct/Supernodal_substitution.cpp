@@ -1,7 +1,7 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/linear_algebra/direct/Supernodal_substitution.h>
 
-#include <Conformal_geometry_processing/linear_algebra/vector_units/compiler_hints.h>
+#include <Conformal_geometry_processing/linear_algebra/vector_units/kernel_arithmetic.h>
 
 #include <algorithm>
 #include <cstdint>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <Conformal_geometry_processing/algebra/Quaternion.h>
-#include <Conformal_geometry_processing/linear_algebra/vector_units/Lane_array.h>
+#include <Conformal_geometry_processing/linear_algebra/vector_units/Simd_lanes.h>
 
 #include <type_traits>
 

@@ -2,7 +2,6 @@
 #include <Conformal_geometry_processing/linear_algebra/vector_units/Vector_unit.h>
 
 #include <Conformal_geometry_processing/linear_algebra/vector_units/compiled_kernels.h>
-#include <Conformal_geometry_processing/linear_algebra/vector_units/unit_kernels.h>
 
 #include <atomic>
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <Conformal_geometry_processing/linear_algebra/vector_units/Front_kernels.h>
-#include <Conformal_geometry_processing/linear_algebra/vector_units/unit_tags.h>
 
 namespace Conformal_geometry_processing {
 

@@ -6,8 +6,6 @@
 
 #ifdef CGP_VECTOR_UNIT
 
-#include <Conformal_geometry_processing/linear_algebra/vector_units/unit_kernels.h>
-
 namespace Conformal_geometry_processing::internal {
 
 Front_kernels<double> compiled_kernels(CGP_VECTOR_UNIT, double, int planes)

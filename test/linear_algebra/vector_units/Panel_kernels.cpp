@@ -1,16 +1,14 @@
-// Tests include/Conformal_geometry_processing/linear_algebra/vector_units/Extend_add.h
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-
-#include <Conformal_geometry_processing/linear_algebra/vector_units/Extend_add.h>
+#include <Conformal_geometry_processing/linear_algebra/vector_units/Panel_kernels.h>
 
 #include <gtest/gtest.h>
+
+#include "linear_algebra/dense_fronts.h"
 
 #include <algorithm>
 #include <vector>
 
-#include "linear_algebra/dense_fronts.h"
-
-namespace cgp_test::extend_add_tests {
+namespace cgp_test::panel_kernels_tests {
 
 template <class Kind>
 class Extend_add : public testing::Test {
@@ -93,4 +91,4 @@ TYPED_TEST(Extend_add, serves_some_rows_after_others)
   });
 }
 
-}  // namespace cgp_test::extend_add_tests
+}  // namespace cgp_test::panel_kernels_tests
