@@ -1,7 +1,7 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #pragma once
 
-#include <Conformal_geometry_processing/linear_algebra/dense/block_products.h>
+#include <Conformal_geometry_processing/linear_algebra/dense/block_operators.h>
 #include <Conformal_geometry_processing/linear_algebra/dense/hermitian_eigen_decomposition.h>
 
 #include <Eigen/Core>

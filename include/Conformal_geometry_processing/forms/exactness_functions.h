@@ -3,7 +3,7 @@
 
 #include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
 #include <Conformal_geometry_processing/forms/Harmonic_basis.h>
-#include <Conformal_geometry_processing/linear_algebra/dense/block_products.h>
+#include <Conformal_geometry_processing/linear_algebra/dense/block_operators.h>
 #include <Conformal_geometry_processing/mesh/Surface_ref.h>
 #include <Conformal_geometry_processing/operators/Curvature_potential.h>
 

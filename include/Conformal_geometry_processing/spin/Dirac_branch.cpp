@@ -2,8 +2,6 @@
 #include <Conformal_geometry_processing/spin/Dirac_branch.h>
 
 #include <Conformal_geometry_processing/linear_algebra/dense/block_operators.h>
-#include <Conformal_geometry_processing/linear_algebra/dense/block_products.h>
-#include <Conformal_geometry_processing/linear_algebra/dense/extend_orthonormal.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Stopwatch.h>
 #include <Conformal_geometry_processing/linear_algebra/krylov/Eigensolver_result.h>
 #include <Conformal_geometry_processing/operators/dirac_energy.h>

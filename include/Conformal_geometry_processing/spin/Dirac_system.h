@@ -2,7 +2,7 @@
 #pragma once
 
 #include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
-#include <Conformal_geometry_processing/linear_algebra/dense/block_products.h>
+#include <Conformal_geometry_processing/linear_algebra/dense/block_operators.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Solver_ref.h>
 #include <Conformal_geometry_processing/linear_algebra/reduced/Reduced_hermitian_solver.h>
 #include <Conformal_geometry_processing/mesh/Surface_ref.h>

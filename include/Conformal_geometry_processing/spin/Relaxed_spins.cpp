@@ -1,7 +1,7 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/spin/Relaxed_spins.h>
 
-#include <Conformal_geometry_processing/linear_algebra/dense/block_products.h>
+#include <Conformal_geometry_processing/linear_algebra/dense/block_operators.h>
 #include <Conformal_geometry_processing/linear_algebra/krylov/conjugate_gradients.h>
 #include <Conformal_geometry_processing/spin/nearness_weight.h>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <Conformal_geometry_processing/linear_algebra/adapters/Petsc_matrix.h>
-#include <Conformal_geometry_processing/linear_algebra/dense/block_products.h>
+#include <Conformal_geometry_processing/linear_algebra/dense/block_operators.h>
 #include <Conformal_geometry_processing/linear_algebra/krylov/Eigensolver_result.h>
 
 #include <slepceps.h>

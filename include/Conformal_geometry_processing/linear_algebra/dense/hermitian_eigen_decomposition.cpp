@@ -2,7 +2,7 @@
 #include <Conformal_geometry_processing/linear_algebra/dense/hermitian_eigen_decomposition.h>
 
 #include <Conformal_geometry_processing/exceptions.h>
-#include <Conformal_geometry_processing/linear_algebra/dense/block_products.h>
+#include <Conformal_geometry_processing/linear_algebra/dense/block_operators.h>
 
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>

@@ -1,7 +1,7 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/linear_algebra/direct/sweep_cut.h>
 
-#include <Conformal_geometry_processing/linear_algebra/dense/hermitian_jacobi.h>
+#include <Conformal_geometry_processing/linear_algebra/dense/hermitian_eigen_decomposition.h>
 
 #include <Eigen/Core>
 

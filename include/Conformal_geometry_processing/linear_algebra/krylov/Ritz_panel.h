@@ -2,7 +2,6 @@
 #pragma once
 
 #include <Conformal_geometry_processing/linear_algebra/dense/block_operators.h>
-#include <Conformal_geometry_processing/linear_algebra/dense/block_products.h>
 
 #include <Eigen/Core>
 
