@@ -5,4 +5,3 @@
 /// \brief Solvers for systems in which some quaternionic unknowns are restricted to planes.
 
 #include <Conformal_geometry_processing/linear_algebra/reduced/Reduced_hermitian_solver.h>
-#include <Conformal_geometry_processing/linear_algebra/reduced/reduced_operators.h>

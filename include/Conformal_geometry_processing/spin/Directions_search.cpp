@@ -2,7 +2,7 @@
 #include <Conformal_geometry_processing/spin/Directions_search.h>
 
 #include <Conformal_geometry_processing/linear_algebra/direct/Stopwatch.h>
-#include <Conformal_geometry_processing/linear_algebra/reduced/reduced_operators.h>
+#include <Conformal_geometry_processing/linear_algebra/reduced/Reduced_hermitian_solver.h>
 #include <Conformal_geometry_processing/operators/dirac_energy.h>
 #include <Conformal_geometry_processing/spin/Dirac_system.h>
 #include <Conformal_geometry_processing/spin/boundary_fault.h>

@@ -1,10 +1,9 @@
-// Tests include/Conformal_geometry_processing/linear_algebra/reduced/Reduced_form.h
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 
 #include <Conformal_geometry_processing/linear_algebra/direct/Ordering.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/sweep_nested_dissection.h>
+#include <Conformal_geometry_processing/linear_algebra/reduced/Real_reduced_solver.h>
 #include <Conformal_geometry_processing/linear_algebra/reduced/Reduced_form.h>
-#include <Conformal_geometry_processing/linear_algebra/reduced/reduced_matrix.h>
 #include <Conformal_geometry_processing/operators/vertex_graph.h>
 
 #include <gtest/gtest.h>

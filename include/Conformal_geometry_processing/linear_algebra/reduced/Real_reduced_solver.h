@@ -3,11 +3,63 @@
 
 #include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
 #include <Conformal_geometry_processing/algebra/Reduced_basis.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Ordering.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Solver_ref.h>
 
+#include <array>
+#include <cstddef>
+#include <memory>
 #include <utility>
 
-namespace Conformal_geometry_processing::internal {
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgLinearAlgebra
+/// \brief Returns the pattern of B^T X B for quaternionic matrices X with the given pattern: four
+/// real rows for every row, two for a reduced one. O(entries)
+std::shared_ptr<const Sparse_pattern> reduced_pattern(const Sparse_pattern& pattern,
+                                                      const internal::Reduced_rows& rows);
+
+/// \ingroup PkgLinearAlgebra
+/// \brief Assembles R = B^T X B, a real symmetric matrix with entries <u, X_ij v> for all basis
+/// vectors u of row i and v of row j [CGP 5.7]. In place, O(entries).
+/// \param R a matrix with `reduced_pattern(X.pattern(), B.rows())`; its values are replaced
+template <class FT>
+void assemble_reduced_matrix(const Hermitian_sparse_matrix<Quaternion<FT>>& X,
+                             const internal::Reduced_basis<FT>& B, Hermitian_sparse_matrix<FT>& R)
+{
+  const internal::Reduced_rows& rows = B.rows();
+  std::array<int, 4> next{};  // next entry in each column of row j
+  X.for_each_entry([&, last = -1](int i, int j, const Quaternion<FT>& x) mutable {
+    if (j != last)
+      for (int c = 0; c < rows.dimension(j); ++c)
+        next[static_cast<std::size_t>(c)] =
+            R.pattern().offsets[static_cast<std::size_t>(rows.first(j) + c)];
+    last = j;
+    for (int c = 0; c < rows.dimension(j); ++c) {
+      const Quaternion<FT> image = x * B.vector(j, c);
+      for (int r = i == j ? c : 0; r < rows.dimension(i); ++r)
+        R.value(next[static_cast<std::size_t>(c)]++) = dot(B.vector(i, r), image);
+    }
+  });
+}
+
+/// \ingroup PkgLinearAlgebra
+/// \brief Repeats one number per row for each of its coordinates: the diagonal of B^T diag(m) B.
+template <class FT>
+Vector<FT> reduced_diagonal(const Vector<FT>& m, const internal::Reduced_rows& rows)
+{
+  Vector<FT> d(rows.dimension());
+  for (int i = 0; i < rows.size(); ++i)
+    d.segment(rows.first(i), rows.dimension(i)).setConstant(m[i]);
+  return d;
+}
+
+/// \ingroup PkgLinearAlgebra
+/// \brief Expands an ordering of the rows to their coordinates, which stay adjacent.
+internal::Ordering reduced_ordering(const internal::Ordering& order,
+                                    const internal::Reduced_rows& rows);
+
+namespace internal {
 
 /// \ingroup PkgLinearAlgebra
 /// \brief Solves with R = B^T (X + diag(shift)) B as a sparse real matrix, with a solver for real
@@ -41,4 +93,6 @@ class Real_reduced_solver {
   bool m_is_factorized = false;
 };
 
-}  // namespace Conformal_geometry_processing::internal
+}  // namespace internal
+
+}  // namespace Conformal_geometry_processing

@@ -1,6 +1,8 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #pragma once
 
+#include <Conformal_geometry_processing/algebra/Reduced_basis.h>
+#include <Conformal_geometry_processing/linear_algebra/dense/block_operators.h>
 #include <Conformal_geometry_processing/linear_algebra/reduced/Real_reduced_solver.h>
 #include <Conformal_geometry_processing/linear_algebra/reduced/Reduced_form.h>
 #include <Conformal_geometry_processing/linear_algebra/reduced/Schur_reduced_solver.h>
@@ -9,7 +11,8 @@
 
 #include <variant>
 
-namespace Conformal_geometry_processing::internal {
+namespace Conformal_geometry_processing {
+namespace internal {
 
 /// \ingroup PkgLinearAlgebra
 /// \brief Solves systems with the real symmetric matrix R = B^T (X + diag(shift)) B, where X is
@@ -74,4 +77,34 @@ class Reduced_hermitian_solver {
   std::variant<Schur_reduced_solver, Real_reduced_solver> m_solver;
 };
 
-}  // namespace Conformal_geometry_processing::internal
+}  // namespace internal
+
+/// \ingroup PkgLinearAlgebra
+/// \brief The operator x -> B B^T A x for all columns of x at once: the matrix B^T A B as an
+/// operator on quaternionic vectors, with values in the reduced space. Stores references.
+///
+/// With `inverse_operator()` of a reduced solver an eigensolver can iterate on such vectors,
+/// provided that it combines them with *real* coefficients: its inner products are those of
+/// `real_gram_matrix()`.
+template <class FT>
+auto reduced_operator(const Hermitian_sparse_matrix<Quaternion<FT>>& A,
+                      const internal::Reduced_basis<FT>& basis)
+{
+  return [apply = block_operator(A), &basis](const Block<Quaternion<FT>>& x) {
+    return basis.project(apply(x));
+  };
+}
+
+/// \ingroup PkgLinearAlgebra
+/// \brief Returns Re A^H C: the real inner products of the columns of A with those of C.
+template <class FT>
+Block<FT> real_gram_matrix(const Block<Quaternion<FT>>& A, const Block<Quaternion<FT>>& C)
+{
+  const auto numbers = [](const Block<Quaternion<FT>>& x) {
+    return Eigen::Map<const Block<FT>>(reinterpret_cast<const FT*>(x.data()), 4 * x.rows(),
+                                       x.cols());
+  };
+  return numbers(A).transpose() * numbers(C);
+}
+
+}  // namespace Conformal_geometry_processing
