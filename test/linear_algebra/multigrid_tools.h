@@ -1,8 +1,8 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #pragma once
 
+#include <Conformal_geometry_processing/linear_algebra/multigrid/Multigrid_solver.h>
 #include <Conformal_geometry_processing/linear_algebra/multigrid/Prolongation.h>
-#include <Conformal_geometry_processing/linear_algebra/multigrid/Rounding_remainder.h>
 
 #include <vector>
 

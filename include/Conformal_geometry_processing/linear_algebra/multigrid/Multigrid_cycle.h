@@ -4,7 +4,7 @@
 #include <Conformal_geometry_processing/algebra/Quaternion.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Supernodal_cholesky.h>
 #include <Conformal_geometry_processing/linear_algebra/multigrid/Multigrid_level.h>
-#include <Conformal_geometry_processing/linear_algebra/multigrid/galerkin_product.h>
+#include <Conformal_geometry_processing/linear_algebra/multigrid/Prolongation.h>
 
 #include <algorithm>
 #include <cmath>
