@@ -2,7 +2,7 @@
 #include <Conformal_geometry_processing/spin/signed_eigenvectors.h>
 
 #include <Conformal_geometry_processing/linear_algebra/dense/hermitian_eigen_decomposition.h>
-#include <Conformal_geometry_processing/linear_algebra/krylov/Row_major_multivector.h>
+#include <Conformal_geometry_processing/linear_algebra/krylov/Krylov_space.h>
 
 #include <Eigen/Core>
 

@@ -3,7 +3,6 @@
 
 #include <Conformal_geometry_processing/linear_algebra/dense/block_operators.h>
 #include <Conformal_geometry_processing/linear_algebra/krylov/Eigensolver_result.h>
-#include <Conformal_geometry_processing/linear_algebra/krylov/Ritz_panel.h>
 
 #include <Eigen/Core>
 

@@ -1,15 +1,14 @@
-// Tests linear_algebra/krylov/Row_major_multivector.h
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-#include <Conformal_geometry_processing/linear_algebra/krylov/Row_major_multivector.h>
+#include <Conformal_geometry_processing/linear_algebra/krylov/Krylov_space.h>
 
 #include <gtest/gtest.h>
-
-#include <array>
 
 #include "linear_algebra/hermitian_matrices.h"
 #include "threads/threads.h"
 
-namespace cgp_test::row_major_multivector_tests {
+#include <array>
+
+namespace cgp_test::krylov_space_tests {
 
 namespace CGP = Conformal_geometry_processing;
 using Q = CGP::Quaternion<double>;
@@ -98,4 +97,4 @@ TEST(Row_major_multivector, combines_its_columns_from_the_right)
   EXPECT_LE((real_form(columns(p, 0)) - expected).norm(), 1e-11);
 }
 
-}  // namespace cgp_test::row_major_multivector_tests
+}  // namespace cgp_test::krylov_space_tests
