@@ -2,8 +2,8 @@
 #include <Conformal_geometry_processing/conformal_class/Snap_equations.h>
 
 #include <Conformal_geometry_processing/exceptions.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Ordering.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/choose_ordering.h>
-#include <Conformal_geometry_processing/linear_algebra/direct/expanded_graph.h>
 #include <Conformal_geometry_processing/linear_algebra/krylov/conjugate_gradients.h>
 #include <Conformal_geometry_processing/mesh/topology.h>
 #include <Conformal_geometry_processing/operators/vertex_graph.h>

@@ -2,7 +2,7 @@
 #include <Conformal_geometry_processing/parameterization/conformal_energy.h>
 
 #include <Conformal_geometry_processing/algebra/stable_norm.h>
-#include <Conformal_geometry_processing/linear_algebra/direct/expanded_graph.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Ordering.h>
 #include <Conformal_geometry_processing/operators/cotan_laplacian.h>
 #include <Conformal_geometry_processing/operators/vertex_graph.h>
 

@@ -5,7 +5,6 @@
 #include <Conformal_geometry_processing/linear_algebra/direct/Ordering.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Solver_ref.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Stopwatch.h>
-#include <Conformal_geometry_processing/linear_algebra/direct/expanded_graph.h>
 #include <Conformal_geometry_processing/measure/Conformality.h>
 #include <Conformal_geometry_processing/measure/distortion.h>
 #include <Conformal_geometry_processing/mesh/topology.h>

@@ -1,7 +1,7 @@
-// Tests include/Conformal_geometry_processing/linear_algebra/direct/Elimination_tasks.h
+// Tests linear_algebra/direct/Supernodal_factor.h
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 
-#include <Conformal_geometry_processing/linear_algebra/direct/Elimination_tasks.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Supernodal_factor.h>
 
 #include <gtest/gtest.h>
 

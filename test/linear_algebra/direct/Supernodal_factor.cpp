@@ -1,23 +1,169 @@
-// Tests include/Conformal_geometry_processing/linear_algebra/direct/Supernodal_factor.h
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-
 #include <Conformal_geometry_processing/linear_algebra/direct/Supernodal_factor.h>
-
-#include <gtest/gtest.h>
-
 #include <Conformal_geometry_processing/linear_algebra/direct/sweep_nested_dissection.h>
 #include <Conformal_geometry_processing/operators/vertex_graph.h>
 
-#include <cstring>
-#include <memory>
+#include <gtest/gtest.h>
 
 #include "linear_algebra/dense_fronts.h"
+#include "linear_algebra/hermitian_matrices.h"
 #include "linear_algebra/symbolic_elimination.h"
 #include "support/decompositions.h"
 #include "support/spheres.h"
 #include "threads/threads.h"
 
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <memory>
+#include <mutex>
+#include <utility>
+
 namespace cgp_test::supernodal_factor_tests {
+
+namespace CGP = Conformal_geometry_processing;
+using Q = CGP::Quaternion<double>;
+using CGP::internal::Elimination_tasks;
+using CGP::internal::Supernodal_structure;
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN(),
+                 infinity = std::numeric_limits<double>::infinity();
+
+TEST(Is_finite, sees_every_component_of_every_entry)
+{
+  auto A = random_hermitian<Q>(random_pattern(12, 1), 2);
+  EXPECT_TRUE(CGP::internal::is_finite(A));
+  for (int k = 0; k < A.pattern().size_of_entries(); ++k)
+    for (double Q::*component : {&Q::w, &Q::x, &Q::y, &Q::z})
+      for (const double bad : {nan, infinity, -infinity}) {
+        const double good = std::exchange(A.value(k).*component, bad);
+        EXPECT_FALSE(CGP::internal::is_finite(A));
+        A.value(k).*component = good;
+      }
+}
+
+TEST(Is_finite, sees_one_number_among_many_on_several_threads)
+{
+  const Threads setting(2);
+  CGP::internal::Aligned_array<float> numbers;
+  numbers.resize(100'000);
+  std::fill_n(numbers.data(), numbers.size(), -3.f);
+  EXPECT_TRUE(CGP::internal::is_finite(numbers));
+  for (const std::int64_t i : {0, 8191, 8192, 99'999}) {
+    numbers.data()[i] = static_cast<float>(nan);
+    EXPECT_FALSE(CGP::internal::is_finite(numbers));
+    numbers.data()[i] = 1e30f;
+    EXPECT_TRUE(CGP::internal::is_finite(numbers));
+  }
+}
+
+TEST(Power_of_two, is_just_above_the_largest_number)
+{
+  CGP::Quaternion_vector<double> v = CGP::Quaternion_vector<double>::Constant(3, {});
+  v[0].x = .1;
+  for (const double largest : {.75, 1., 1.5, 3e40, 1e-30}) {
+    v[1].z = -largest;
+    v[0].x = .1 * largest;
+    const double power = CGP::internal::power_of_two(v);
+    EXPECT_GT(power, largest);
+    EXPECT_LE(power, 2 * largest);
+    EXPECT_EQ(std::ldexp(1., std::ilogb(power)), power);
+  }
+}
+
+TEST(Power_of_two, is_one_where_there_is_none)
+{
+  CGP::Quaternion_vector<double> v = CGP::Quaternion_vector<double>::Constant(3, {});
+  EXPECT_EQ(CGP::internal::power_of_two(v), 1);
+  for (const double odd : {nan, infinity, 1e-310}) {
+    v[1].y = odd;
+    EXPECT_EQ(CGP::internal::power_of_two(v), 1);
+  }
+}
+
+double work(const Supernodal_structure& S, int begin, int end)
+{
+  double sum = 0;
+  for (int s = begin; s < end; ++s) {
+    const double front = S.width(s) + S.height(s);
+    sum += S.width(s) * front * front;
+  }
+  return sum;
+}
+
+void expect_cut(const Supernodal_structure& S, double share)
+{
+  const Elimination_tasks tasks(S, share);
+  std::vector<int> task(at(S.size()), -1), children(at(tasks.size()), 0);
+  int next = 0;
+  for (int t = 0; t < tasks.size(); ++t) {
+    EXPECT_EQ(tasks[t].begin, next);
+    EXPECT_GT(tasks[t].end, next);
+    for (; next < tasks[t].end; ++next) task[at(next)] = t;
+  }
+  EXPECT_EQ(next, S.size());
+  for (int t = 0; t < tasks.size(); ++t) {
+    if (tasks[t].end - tasks[t].begin > 1) {
+      EXPECT_LE(work(S, tasks[t].begin, tasks[t].end), share * work(S, 0, S.size()) * (1 + 1e-12));
+    }
+    for (int s = tasks[t].begin; s < tasks[t].end; ++s) {
+      const int up = S.parent(s) < 0 ? -1 : task[at(S.parent(s))];
+      EXPECT_TRUE(up == t || up == tasks[t].parent);
+    }
+    if (tasks[t].parent >= 0) ++children[at(tasks[t].parent)];
+  }
+  for (int t = 0; t < tasks.size(); ++t) EXPECT_EQ(tasks[t].children, children[at(t)]);
+}
+
+TEST(Elimination_tasks, are_subtrees_of_limited_work_and_single_supernodes_above_them)
+{
+  for (const auto& [name, pattern, order] : ordered_graphs()) {
+    SCOPED_TRACE(name);
+    const Supernodal_structure S(*pattern, order);
+    for (const double share : {0., 0.02, 0.2, 1.}) expect_cut(S, share);
+  }
+}
+
+TEST(Elimination_tasks, are_one_where_all_fits)
+{
+  const Supernodal_structure S(*grid_pattern(9, 9), random_permutation(81, 1));
+  EXPECT_EQ(Elimination_tasks(S, 1.).size(), 1);
+  EXPECT_EQ(Elimination_tasks(S, 0.).size(), S.size());
+}
+
+TEST(Elimination_tasks, run_up_the_tree_and_down_again)
+{
+  const Supernodal_structure S(*grid_pattern(20, 20), random_permutation(400, 2));
+  const Elimination_tasks tasks(S, 0.02);
+  ASSERT_GT(tasks.size(), 10);
+  for (const int threads : {1, 3}) {
+    std::mutex mutex;
+    std::vector<int> ups, downs;  // the first supernodes, in the order of time
+    const auto note = [&](std::vector<int>& list) {
+      return [&](const Elimination_tasks::Task& task, CGP::internal::Task_pool&) {
+        const std::lock_guard<std::mutex> lock(mutex);
+        list.push_back(task.begin);
+      };
+    };
+    tasks.run(threads, note(ups), note(downs));
+    std::vector<int> only_ups;
+    tasks.run(threads, note(only_ups));
+    ASSERT_EQ(ups.size(), at(tasks.size()));
+    ASSERT_EQ(downs.size(), at(tasks.size()));
+    ASSERT_EQ(only_ups.size(), at(tasks.size()));
+    const auto place = [&](const std::vector<int>& list, int t) {
+      return std::find(list.begin(), list.end(), tasks[t].begin) - list.begin();
+    };
+    for (int t = 0; t < tasks.size(); ++t) {
+      ASSERT_LT(place(only_ups, t), tasks.size());
+      if (tasks[t].parent < 0) continue;
+      EXPECT_LT(place(ups, t), place(ups, tasks[t].parent));
+      EXPECT_LT(place(only_ups, t), place(only_ups, tasks[t].parent));
+      EXPECT_GT(place(downs, t), place(downs, tasks[t].parent));
+    }
+  }
+}
 
 template <class Kind>
 class Supernodal_factor : public testing::Test {

@@ -1,6 +1,5 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-// Tests include/Conformal_geometry_processing/linear_algebra/direct/Supernodal_cholesky.h
-// Tests linear_algebra/direct/Supernodal_instances.h
+// Tests linear_algebra/direct/Supernodal_cholesky.h
 #include <Conformal_geometry_processing/linear_algebra/direct/Supernodal_cholesky.h>
 
 #include <gtest/gtest.h>

@@ -4,7 +4,7 @@
 #include <Conformal_geometry_processing/linear_algebra/adapters/Petsc_matrix.h>
 #include <Conformal_geometry_processing/linear_algebra/adapters/Petsc_multigrid.h>
 #include <Conformal_geometry_processing/linear_algebra/dense/Solver_status.h>
-#include <Conformal_geometry_processing/linear_algebra/direct/breadth_first_ordering.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Ordering.h>
 
 #include <optional>
 #include <utility>

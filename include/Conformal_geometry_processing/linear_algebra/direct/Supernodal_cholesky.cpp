@@ -3,13 +3,14 @@
 
 #include <Conformal_geometry_processing/linear_algebra/dense/Solver_status.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Ordering.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Supernodal_factor.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Supernodal_substitution.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/choose_ordering.h>
-#include <Conformal_geometry_processing/linear_algebra/direct/largest_number.h>
 #include <Conformal_geometry_processing/threads/Thread_team.h>
 
 #include <algorithm>
 #include <array>
+#include <complex>
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
@@ -246,8 +247,10 @@ void Supernodal_cholesky<Scalar>::unpack(const Number* from, Eigen::Index c, int
   });
 }
 
-#define CGP_DEFINE(Scalar) template class Supernodal_cholesky<Scalar>;
-CGP_FOR_SUPERNODAL_SCALARS(CGP_DEFINE)
-#undef CGP_DEFINE
+template class Supernodal_cholesky<double>;
+template class Supernodal_cholesky<std::complex<double>>;
+template class Supernodal_cholesky<Quaternion<double>>;
+template class Supernodal_cholesky<float>;
+template class Supernodal_cholesky<Quaternion<float>>;
 
 }  // namespace Conformal_geometry_processing

@@ -4,7 +4,6 @@
 #include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
 #include <Conformal_geometry_processing/linear_algebra/dense/Solver_status.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Ordering.h>
-#include <Conformal_geometry_processing/linear_algebra/direct/Supernodal_instances.h>
 
 #include <Eigen/Core>
 
@@ -35,8 +34,8 @@ class Supernodal_factor;
 /// A factor that serves as a preconditioner only (`factorize_preconditioner()`) is in single
 /// precision, with half of the memory and two thirds of the time, where that suffices.
 ///
-/// \tparam Scalar_ `double`, `std::complex<double>`, `Quaternion<double>`, or of `float`. The
-/// compiled library contains those listed in Supernodal_instances.h.
+/// \tparam Scalar_ `double`, `std::complex<double>`, `Quaternion<double>`, `float` or
+/// `Quaternion<float>`, the instances in the compiled library.
 /// \cgalModels{SparseHermitianSolver}
 template <class Scalar_>
 class Supernodal_cholesky {

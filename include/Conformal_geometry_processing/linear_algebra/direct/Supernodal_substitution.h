@@ -3,7 +3,7 @@
 
 #include <Conformal_geometry_processing/algebra/Quaternion.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Supernodal_factor.h>
-#include <Conformal_geometry_processing/linear_algebra/direct/elimination_tree.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Supernodal_structure.h>
 
 namespace Conformal_geometry_processing::internal {
 
