@@ -1,5 +1,5 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-// Tests include/Conformal_geometry_processing/linear_algebra/adapters/Petsc_handle.h
+// Tests linear_algebra/adapters/Petsc_matrix.h
 // Compiled alone: this program does not start PETSc; it is not given test/support/slepc_main.cpp.
 #include <Conformal_geometry_processing/linear_algebra/adapters/Slepc_eigensolver_traits.h>
 

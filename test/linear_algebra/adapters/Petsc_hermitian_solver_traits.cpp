@@ -1,7 +1,4 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-// Tests
-// include/Conformal_geometry_processing/linear_algebra/adapters/Petsc_hermitian_solver_traits.h
-// Tests include/Conformal_geometry_processing/linear_algebra/adapters/Petsc_multigrid.h
 #include <Conformal_geometry_processing/linear_algebra/adapters/Petsc_hermitian_solver_traits.h>
 
 #include <limits>

@@ -1,6 +1,4 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-// Tests include/Conformal_geometry_processing/linear_algebra/adapters/Slepc_eigensolver_traits.h
-// Tests include/Conformal_geometry_processing/linear_algebra/adapters/Slepc_lobpcg.h
 #include <Conformal_geometry_processing/linear_algebra/adapters/Slepc_eigensolver_traits.h>
 #include <Conformal_geometry_processing/spin/Dirac_system.h>
 
