@@ -130,6 +130,29 @@ TEST(Relaxed_scales, is_cancelled_between_steps)
   EXPECT_TRUE(scales.solution().cancelled);
 }
 
+/// the report of a transformation that may distort by so much
+CGP::Spin_report within(double quasi_conformal)
+{
+  const Mesh_view mesh = ellipsoid(2);
+  CGP::Spin_transformation_options options;
+  options.scales.bound = 2;
+  CGP::Spin_transformation transformation(mesh, options);
+  transformation.limits().map.quasi_conformal = quasi_conformal;
+  return transformation.transform(Curvature_potential::on_vertices(waves_on(mesh, 3))).report;
+}
+
+// Where the mesh is too coarse for all of rho, and where that is in vain, all of it.
+TEST(Relaxed_scales, asks_for_less_where_the_map_would_not_be_conformal)
+{
+  const CGP::Spin_report all = within(2), less = within(1.05), vain = within(1.0001);
+  EXPECT_GT(all.conformality.quasi_conformal.mean, 1.05);
+  EXPECT_LE(less.conformality.quasi_conformal.mean, 1.05);
+  EXPECT_LE(less.conformality.quasi_conformal_of_new_area, 1.05);
+  EXPECT_LT(less.scales.kept_norm, all.scales.kept_norm);
+  EXPECT_GT(vain.scales.kept_norm, less.scales.kept_norm);
+  EXPECT_EQ(vain.fault(), CGP::Spin_report::Fault::map);
+}
+
 /// the mean quasi-conformal error of the result, less 1
 double mean_distortion(int level)
 {

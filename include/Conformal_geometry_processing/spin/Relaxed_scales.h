@@ -35,9 +35,10 @@ struct Relaxed_scales_options {
 /// \brief the `Relaxed_spins` of rho with a `Scale_residual` of the least weight w with which
 /// lengths keep to the bound of a `Scale_control`, if it has one.
 ///
-/// rho, and what other residuals ask for, is asked for in three parts, with one step for each; then
-/// w is changed from step to step until lengths are just within the bound and steps are short, or w
-/// is so small that it has no effect. What is wide against the limbs *is* scale, and is reduced;
+/// rho, and what other residuals ask for, is asked for in three parts, with one step for each. From
+/// the last of them on, log w is an unknown of each step: lengths are just within the bound where
+/// the step leads, to first order; until steps are short, or w is so small that it has no effect.
+/// What is wide against the limbs *is* scale, and is reduced;
 /// what is narrow survives.
 class Relaxed_scales {
  public:

@@ -119,7 +119,7 @@ class Relaxed_spins {
   /// \pre `linearize()` was called last
   Spins schur_product(const Spins& y);
 
-  /// takes the derivatives here, and factors H, and X where its factor is too old
+  /// takes the derivatives here, and factors X where its factor is too old
   void linearize();
 
   /// the least-squares step. \pre `linearize()` was called last

@@ -192,4 +192,21 @@ TEST(Conjugate_gradients_estimate, is_not_fooled_by_short_residuals)
   EXPECT_NEAR(x(0, 0), b(0, 0) / k[0], 1e-3 * b(0, 0));
 }
 
+TEST(Conjugate_gradients_columns, end_with_the_leading_ones)
+{
+  const Eigen::VectorXd k = Eigen::VectorXd::LinSpaced(50, 1, 50);
+  const auto apply = [&](const Eigen::MatrixXd& x) { return Eigen::MatrixXd(k.asDiagonal() * x); };
+  const auto none = [](const Eigen::MatrixXd& x) { return x; };
+  Eigen::MatrixXd b = Eigen::MatrixXd::Ones(50, 2), x;
+  b.col(0).tail(49).setZero();  // found by the first iteration
+  CGP::internal::Conjugate_gradients_options options;
+  EXPECT_GT(CGP::conjugate_gradients(apply, none, b, x, options).iterations, 10);
+  options.leading_columns = 1;
+  const auto result = CGP::conjugate_gradients(apply, none, b, x, options);
+  EXPECT_EQ(result.iterations, 1);
+  EXPECT_TRUE(result.converged);
+  EXPECT_NEAR(x(0, 0), 1, 1e-12);
+  EXPECT_GT(result.estimates[1], options.tolerance);
+}
+
 }  // namespace cgp_test::conjugate_gradients_tests
