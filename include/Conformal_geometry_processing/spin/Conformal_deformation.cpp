@@ -75,8 +75,8 @@ Spin_result Conformal_deformation::deform(const std::vector<Control_point>& give
   m_visits.require_no_visit(m_function);
   const std::vector<Control_point> points = all_points(given);
   require_extent(points);
-  const Walk walk = search(points, m_visits.guarded(go_further));
-  Spin_result result = m_positions->present();
+  Walk walk = search(points, m_visits.guarded(go_further));
+  Spin_result result = walk.result ? std::move(*walk.result) : m_positions->present();
   m_rho = Curvature_potential::on_vertices(m_positions->scales().spins().rho() /
                                            m_transformation.domain().unit());
   Spin_report& r = result.report;
@@ -137,12 +137,14 @@ auto Conformal_deformation::walk(const Points& targets, const Go_further& go_fur
 bool Conformal_deformation::go_to(const Points& targets, Walk& walk, const Go_further& go_further)
 {
   const Relaxed_positions::State before = m_positions->state();
+  walk.result.reset();
   m_positions->set_targets(targets);
   walk.is_cancelled = m_positions->go_on(go_further) == Relaxed_scales::End::cancelled;
   if (walk.is_cancelled) return false;
   if (m_positions->is_met()) {
-    const Spin_report report = m_positions->present().report;
-    if (report && report.conformality.flipped_faces == 0) {
+    Spin_result there = m_positions->present();
+    if (there.report && there.report.conformality.flipped_faces == 0) {
+      walk.result = std::move(there);
       ++walk.steps;
       return true;
     }

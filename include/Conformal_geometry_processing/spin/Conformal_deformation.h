@@ -74,6 +74,7 @@ class Conformal_deformation {
     double reached = 0;  // share of the way
     int steps = 0;
     bool is_cancelled = false;
+    std::optional<Spin_result> result;  // where it ends, if that was looked at
   };
 
   /// \throw Precondition_error if the best similarity shrinks the points to one

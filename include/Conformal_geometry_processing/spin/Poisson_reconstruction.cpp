@@ -32,9 +32,9 @@ Points Poisson_reconstruction::positions(const Eigen::MatrixX3d& edges) const
   return m_solver.solve(codifferential(m_surface, m_weights, edges)).transpose();
 }
 
-Eigen::MatrixX3d Poisson_reconstruction::edge_gradient(const Points& y) const
+Eigen::MatrixXd Poisson_reconstruction::edge_gradient(const Eigen::MatrixXd& y) const
 {
-  return m_weights.asDiagonal() * differential(m_surface, m_solver.solve(y.transpose()));
+  return m_weights.asDiagonal() * differential(m_surface, m_solver.solve(y));
 }
 
 double Poisson_reconstruction::residual(const Points& f, const Eigen::MatrixX3d& edges) const

@@ -53,9 +53,9 @@ class Poisson_reconstruction {
   /// \param edges |E| x 3, edge k runs from `surface.ends(k)[0]` to `surface.ends(k)[1]`
   Points positions(const Eigen::MatrixX3d& edges) const;
 
-  /// \brief the transpose of `positions()`: w d0 L^-1 y, |E| x 3, for the gradient y of a function
-  /// of the positions, 3 x |V|.
-  Eigen::MatrixX3d edge_gradient(const Points& y) const;
+  /// \brief the transpose of `positions()`: w d0 L^-1 y, |E| x k, for gradients y of functions of
+  /// coordinates, |V| x k.
+  Eigen::MatrixXd edge_gradient(const Eigen::MatrixXd& y) const;
 
   /// \brief the `internal::closure_residual()` of positions f and edge vectors e, 3 x |V| and |E| x
   /// 3: zero if and only if the edge vectors close up around every face and are those of f.

@@ -41,8 +41,9 @@ Points Position_derivative::apply(Quaternion_vector<double> dlambda) const
 
 Quaternion_vector<double> Position_derivative::apply_transpose(const Points& y) const
 {
-  Quaternion_vector<double> q = edge_gradient(
-      m_system.surface(), m_lambda, m_reconstruction.edge_gradient(m_placement.apply_transpose(y)));
+  Quaternion_vector<double> q =
+      edge_gradient(m_system.surface(), m_lambda,
+                    m_reconstruction.edge_gradient(m_placement.apply_transpose(y).transpose()));
   if (m_mean != 0) {
     Quaternion<double> turn = inner_product(m_lambda, q);
     turn.w = 0;

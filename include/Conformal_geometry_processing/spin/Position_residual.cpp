@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <Eigen/QR>
+#include <Eigen/SparseCore>
 
 #include <cmath>
 #include <utility>
@@ -73,6 +74,19 @@ Eigen::VectorXd Shape_motions::motion(const Eigen::VectorXd& y) const
   return m_qr.householderQ() * all;
 }
 
+/// the transpose of `positions_of()`
+Eigen::SparseMatrix<double> loads_of(const std::vector<Control_point>& points,
+                                     Eigen::Index vertices)
+{
+  Eigen::SparseMatrix<double> loads(vertices, static_cast<Eigen::Index>(points.size()));
+  for (Eigen::Index k = 0; k < loads.cols(); ++k) {
+    const Control_point& p = points[static_cast<std::size_t>(k)];
+    for (std::size_t i = 0; i < p.vertices.size(); ++i)
+      loads.coeffRef(p.vertices[i], k) += p.weights[static_cast<Eigen::Index>(i)];
+  }
+  return loads;
+}
+
 Position_residual::Position_residual(const Surface_ref& surface,
                                      const Poisson_reconstruction& reconstruction,
                                      std::vector<Control_point> points, Eigen::VectorXd masses)
@@ -84,6 +98,7 @@ Position_residual::Position_residual(const Surface_ref& surface,
       m_radius(std::sqrt(m_areas.sum() / (4 * std::acos(-1.))))
 {
   if (m_masses.size() == 0) m_masses.setOnes(static_cast<Eigen::Index>(m_points.size()));
+  if (is_few()) m_influences = reconstruction.edge_gradient(loads_of(m_points, m_areas.size()));
 }
 
 void Position_residual::set_targets(Points targets)
@@ -95,8 +110,7 @@ void Position_residual::set_targets(Points targets)
 void Position_residual::set_spins(const Spins& lambda)
 {
   m_lambda = lambda;
-  const Points h =
-      positions_of(m_points, m_reconstruction.positions(transformed_edges(m_surface, lambda)));
+  const Points h = points_of(transformed_edges(m_surface, lambda));
   m_placement = placement(h, m_targets, m_masses);
   const Points placed = m_placement.apply(h);
   m_distances = placed - m_targets;
@@ -112,8 +126,7 @@ Eigen::VectorXd Position_residual::stiffness() const
 
 Eigen::VectorXd Position_residual::change(const Spins& dlambda) const
 {
-  const Points dh =
-      positions_of(m_points, m_reconstruction.positions(edge_change(m_surface, m_lambda, dlambda)));
+  const Points dh = points_of(edge_change(m_surface, m_lambda, dlambda));
   return coordinates(m_placement.scale * (m_placement.rotation * dh));
 }
 
@@ -122,12 +135,19 @@ auto Position_residual::gradient(const Eigen::VectorXd& y) const -> Spins
   const Points z = m_motions.motion(y).reshaped(3, m_targets.cols()) *
                    (m_weight * m_masses).cwiseSqrt().asDiagonal();
   const Points forces = m_placement.scale / m_radius * (m_placement.rotation.transpose() * z);
-  Points all = Points::Zero(3, m_lambda.size());
-  for (std::size_t k = 0; k < m_points.size(); ++k)
-    for (std::size_t i = 0; i < m_points[k].vertices.size(); ++i)
-      all.col(m_points[k].vertices[i]) += m_points[k].weights[static_cast<Eigen::Index>(i)] *
-                                          forces.col(static_cast<Eigen::Index>(k));
-  return edge_gradient(m_surface, m_lambda, m_reconstruction.edge_gradient(all));
+  return edge_gradient(m_surface, m_lambda, edge_forces(forces));
+}
+
+Points Position_residual::points_of(const Eigen::MatrixX3d& edges) const
+{
+  if (is_few()) return edges.transpose() * m_influences;
+  return positions_of(m_points, m_reconstruction.positions(edges));
+}
+
+Eigen::MatrixX3d Position_residual::edge_forces(const Points& forces) const
+{
+  if (is_few()) return m_influences * forces.transpose();
+  return m_reconstruction.edge_gradient(loads_of(m_points, m_areas.size()) * forces.transpose());
 }
 
 Eigen::VectorXd Position_residual::coordinates(const Points& v) const

@@ -98,6 +98,12 @@ class Position_residual : public Spin_residual {
   /// Z^T of the roots of masses and weight times v / R
   Eigen::VectorXd coordinates(const Points& v) const;
 
+  /// the points of the surface with these edge vectors, |E| x 3
+  Points points_of(const Eigen::MatrixX3d& edges) const;
+
+  /// the transpose \param forces 3 x number of points
+  Eigen::MatrixX3d edge_forces(const Points& forces) const;
+
   Surface_ref m_surface;
   const Poisson_reconstruction& m_reconstruction;
   std::vector<Control_point> m_points;
@@ -107,8 +113,9 @@ class Position_residual : public Spin_residual {
   Eigen::Index m_size = 0;
   double m_weight = 1, m_stiffness = 0;
   Spins m_lambda;
-  Alignment m_placement;  // T
-  Points m_distances;     // T h - t
+  Eigen::MatrixXd m_influences;  // of edges on few points: no product then solves anything
+  Alignment m_placement;         // T
+  Points m_distances;            // T h - t
   Shape_motions m_motions;
 };
 
