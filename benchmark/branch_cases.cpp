@@ -6,7 +6,7 @@
 // usage: benchmark_branch_cases NAME.off ...
 #include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Conformal_geometry_processing/operators/Curvature_potential.h>
-#include <Conformal_geometry_processing/spin/Dirac_spectral_problem.h>
+#include <Conformal_geometry_processing/spin/Dirac_spectrum.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
 
 #include <algorithm>

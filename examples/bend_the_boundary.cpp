@@ -6,7 +6,7 @@
 // Prescribed are the binormals, which point out of the surface; its mean curvature half-density
 // stays, up to a constant gamma. Any binormals can be realised [CGP 4.5.4, 6.3.1].
 #include <Conformal_geometry_processing/mesh/Boundary_frames.h>
-#include <Conformal_geometry_processing/spin/Spin_report_io.h>
+#include <Conformal_geometry_processing/spin/Spin_report.h>
 #include <Conformal_geometry_processing/spin_transform.h>
 
 #include <CGAL/Simple_cartesian.h>

@@ -6,7 +6,7 @@
 // Conformally equivalent surfaces differ by their mean curvature half-densities H |df|, and these
 // can be added [CGP 4.4]: T = 0 gives the first shape, 1 the second, 1.5 exaggerates it.
 #include <Conformal_geometry_processing/core/Graph_view.h>
-#include <Conformal_geometry_processing/spin/Spin_report_io.h>
+#include <Conformal_geometry_processing/spin/Spin_report.h>
 #include <Conformal_geometry_processing/spin/curvature_difference.h>
 #include <Conformal_geometry_processing/spin_transform.h>
 

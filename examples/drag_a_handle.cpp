@@ -5,7 +5,7 @@
 //
 // DISTANCE is relative to the height. All angles are kept, so textures are not sheared.
 #include <Conformal_geometry_processing/conformal_deformation.h>
-#include <Conformal_geometry_processing/spin/Spin_report_io.h>
+#include <Conformal_geometry_processing/spin/Spin_report.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

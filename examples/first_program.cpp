@@ -3,7 +3,7 @@
 //
 //   first_program INPUT OUTPUT
 //! [program]
-#include <Conformal_geometry_processing/spin/Spin_report_io.h>
+#include <Conformal_geometry_processing/spin/Spin_report.h>
 #include <Conformal_geometry_processing/spin_transform.h>
 
 #include <CGAL/Bbox_3.h>

@@ -7,7 +7,7 @@
 // One linear solve, for spin transformations of plane domains are Weierstrass' representation: the
 // spin lambda is the square root of his holomorphic function [CGP 6.5.3].
 #include <Conformal_geometry_processing/minimal_surface.h>
-#include <Conformal_geometry_processing/spin/Spin_report_io.h>
+#include <Conformal_geometry_processing/spin/Spin_report.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

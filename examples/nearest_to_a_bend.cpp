@@ -6,7 +6,7 @@
 // The curvature of the bend is preserved, its shear is not. With BLEND = 1 its rotations and
 // scalings are integrated, with a shear that does not vanish under refinement [CGP 5.9, 6.3].
 #include <Conformal_geometry_processing/nearest_spin_transform.h>
-#include <Conformal_geometry_processing/spin/Spin_report_io.h>
+#include <Conformal_geometry_processing/spin/Spin_report.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

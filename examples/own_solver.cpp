@@ -3,7 +3,7 @@
 // the result with that of the library's solver.
 //
 //   own_solver [INPUT [OUTPUT.ply]]
-#include <Conformal_geometry_processing/spin/Spin_report_io.h>
+#include <Conformal_geometry_processing/spin/Spin_report.h>
 #include <Conformal_geometry_processing/spin_transform.h>
 
 #include <CGAL/Simple_cartesian.h>

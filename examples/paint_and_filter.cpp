@@ -6,7 +6,7 @@
 // Filters of surfaces are filters of images: the image is blurred or sharpened, and the map to
 // every result is conformal [CGP 6.2].
 #include <Conformal_geometry_processing/painting/image_filters.h>
-#include <Conformal_geometry_processing/spin/Spin_report_io.h>
+#include <Conformal_geometry_processing/spin/Spin_report.h>
 #include <Conformal_geometry_processing/spin_transform.h>
 
 #include <CGAL/Simple_cartesian.h>

@@ -6,7 +6,7 @@
 // The new surface has the mean curvature half-density (H + rho + gamma)|df|, where H|df| is the old
 // one, and the map to it is conformal [CGP (5.3)-(5.5)]; the certificate measures its quality.
 #include <Conformal_geometry_processing/core/Conformal_mesh_traits_Surface_mesh.h>
-#include <Conformal_geometry_processing/spin/Spin_report_io.h>
+#include <Conformal_geometry_processing/spin/Spin_report.h>
 #include <Conformal_geometry_processing/spin_transform.h>
 
 #include <CGAL/Bbox_3.h>

@@ -1,7 +1,7 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 // Tests include/Conformal_geometry_processing/spin_transform.h
 // Tests include/Conformal_geometry_processing/core/write_points.h
-// Tests include/Conformal_geometry_processing/spin/Spin_visitor.h
+// Tests include/Conformal_geometry_processing/spin/Spin_report.h
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 

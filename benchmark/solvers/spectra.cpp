@@ -1,5 +1,5 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-#include <Conformal_geometry_processing/spin/Dirac_spectral_problem.h>
+#include <Conformal_geometry_processing/spin/Dirac_spectrum.h>
 
 #include "Row.h"
 #include "support/Cholmod_poisson.h"

@@ -4,7 +4,7 @@
 #include <Conformal_geometry_processing/core/Graph_view.h>
 #include <Conformal_geometry_processing/core/dirac_parameters.h>
 #include <Conformal_geometry_processing/core/named_parameters.h>
-#include <Conformal_geometry_processing/flow/canonical_area_density.h>
+#include <Conformal_geometry_processing/flow/Moebius_balancing.h>
 #include <Conformal_geometry_processing/forms/Hodge_decomposition.h>
 #include <Conformal_geometry_processing/mesh/Normalized_frame.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>

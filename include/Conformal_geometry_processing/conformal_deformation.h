@@ -7,7 +7,7 @@
 #include <Conformal_geometry_processing/core/named_parameters.h>
 #include <Conformal_geometry_processing/core/spin_parameters.h>
 #include <Conformal_geometry_processing/spin/Conformal_deformation.h>
-#include <Conformal_geometry_processing/spin/Spin_visitor.h>
+#include <Conformal_geometry_processing/spin/Spin_report.h>
 
 #include <CGAL/number_utils.h>
 

@@ -5,7 +5,7 @@
 #include <Conformal_geometry_processing/core/named_parameters.h>
 #include <Conformal_geometry_processing/core/write_points.h>
 #include <Conformal_geometry_processing/exceptions.h>
-#include <Conformal_geometry_processing/flow/Flow_visitor.h>
+#include <Conformal_geometry_processing/flow/Flow_report.h>
 #include <Conformal_geometry_processing/flow/fair_region.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>
 

@@ -7,7 +7,7 @@
 #include <Conformal_geometry_processing/core/named_parameters.h>
 #include <Conformal_geometry_processing/core/spin_parameters.h>
 #include <Conformal_geometry_processing/mesh/topology.h>
-#include <Conformal_geometry_processing/spin/Dirac_spectral_problem.h>
+#include <Conformal_geometry_processing/spin/Dirac_spectrum.h>
 
 #include <string>
 

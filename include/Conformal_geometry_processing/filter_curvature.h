@@ -5,7 +5,7 @@
 #include <Conformal_geometry_processing/core/dirac_parameters.h>
 #include <Conformal_geometry_processing/core/named_parameters.h>
 #include <Conformal_geometry_processing/exceptions.h>
-#include <Conformal_geometry_processing/flow/filtered_on_surface.h>
+#include <Conformal_geometry_processing/flow/Curvature_filter.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Conformal_geometry_processing/painting/image_filters.h>
 

@@ -8,7 +8,7 @@
 #include <Conformal_geometry_processing/core/named_parameters.h>
 #include <Conformal_geometry_processing/core/spin_parameters.h>
 #include <Conformal_geometry_processing/spin/Nearest_spin_transformation.h>
-#include <Conformal_geometry_processing/spin/Spin_visitor.h>
+#include <Conformal_geometry_processing/spin/Spin_report.h>
 
 #include <CGAL/number_utils.h>
 

@@ -6,8 +6,8 @@
 #include <Conformal_geometry_processing/core/dirac_parameters.h>
 #include <Conformal_geometry_processing/core/named_parameters.h>
 #include <Conformal_geometry_processing/core/spin_parameters.h>
+#include <Conformal_geometry_processing/spin/Spin_report.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
-#include <Conformal_geometry_processing/spin/Spin_visitor.h>
 
 #include <string>
 #include <utility>

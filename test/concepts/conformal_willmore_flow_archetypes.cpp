@@ -1,6 +1,6 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 // Tests include/Conformal_geometry_processing/conformal_willmore_flow.h
-// Tests include/Conformal_geometry_processing/flow/Flow_visitor.h
+// Tests include/Conformal_geometry_processing/flow/Flow_report.h
 #include "concepts/archetype_maps.h"
 
 #include <Conformal_geometry_processing/conformal_willmore_flow.h>

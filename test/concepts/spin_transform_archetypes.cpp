@@ -1,5 +1,5 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-// Tests spin_transform.h, spin/Spin_visitor.h, dirac_spectrum.h, dirac_sphere.h
+// Tests spin_transform.h, spin/Spin_report.h, dirac_spectrum.h, dirac_sphere.h
 #include "concepts/archetype_maps.h"
 
 #include <Conformal_geometry_processing/dirac_spectrum.h>

@@ -1,7 +1,5 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-// Tests flow/Bending_energy.h flow/Bending_matrix.h
 #include <Conformal_geometry_processing/flow/Bending_energy.h>
-#include <Conformal_geometry_processing/flow/Bending_matrix.h>
 #include <Conformal_geometry_processing/measure/energies.h>
 
 #include <gtest/gtest.h>

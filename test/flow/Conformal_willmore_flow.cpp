@@ -1,20 +1,166 @@
-// Tests include/Conformal_geometry_processing/flow/Conformal_willmore_flow.h
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/flow/Conformal_willmore_flow.h>
 #include <Conformal_geometry_processing/measure/distortion.h>
 
 #include <gtest/gtest.h>
-
 #include <Eigen/Core>
-
-#include <cmath>
-#include <vector>
 
 #include "flow_tools.h"
 #include "support/decompositions.h"
 #include "threads/threads.h"
 
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
 namespace cgp_test::conformal_willmore_flow_tests {
+
+using Conformal_geometry_processing::internal::Time_step;
+namespace CGP = Conformal_geometry_processing;
+using Boundary_fault = CGP::Spin_report::Boundary_fault;
+
+TEST(Time_step, starts_with_the_first)
+{
+  EXPECT_EQ(Time_step(0.7, 0.1, 0.7).value(), 0.7);
+  EXPECT_EQ(Time_step(0.7, 0.1, 0.2).value(), 0.2);
+}
+
+TEST(Time_step, halves_down_to_the_smallest_and_stays_there)
+{
+  Time_step step(1, 0.25, 1);
+  EXPECT_TRUE(step.halve());
+  EXPECT_EQ(step.value(), 0.5);
+  EXPECT_TRUE(step.halve());
+  EXPECT_EQ(step.value(), 0.25);
+  EXPECT_FALSE(step.halve());
+  EXPECT_EQ(step.value(), 0.25);
+}
+
+TEST(Time_step, grows_by_half_up_to_the_largest)
+{
+  Time_step step(1, 0.1, 1);
+  step.grow();
+  EXPECT_EQ(step.value(), 1);
+  step.halve();
+  step.grow();
+  EXPECT_EQ(step.value(), 0.75);
+  step.grow();
+  EXPECT_EQ(step.value(), 1);
+}
+
+// Growth by half undoes halving in 1.7 successes; without waiting, one trial fails for as many.
+TEST(Time_step, fails_once_in_three_successes_at_most_where_a_step_is_the_largest)
+{
+  for (const double largest : {0.2, 0.25, 0.3, 0.35}) {
+    Time_step step(1, 1e-3, 0.25);
+    int failures = 0, successes = 0;
+    while (successes < 300) {
+      if (step.value() > largest) {
+        EXPECT_TRUE(step.halve());
+        ++failures;
+      } else {
+        step.grow();
+        ++successes;
+      }
+    }
+    EXPECT_LT(3 * failures, successes + 30) << largest;
+  }
+}
+
+TEST(Time_step, waits_twice_as_long_each_time_that_growth_fails_at_once)
+{
+  Time_step step(1, 1e-6, 0.1);
+  for (const int waiting : {1, 2, 4, 8}) {
+    step.grow();
+    step.halve();
+    const double halved = step.value();
+    for (int k = 0; k < waiting; ++k) {
+      step.grow();
+      EXPECT_EQ(step.value(), halved);
+    }
+  }
+}
+
+TEST(Time_step, grows_at_once_after_growth_has_lasted)
+{
+  Time_step step(1, 0.01, 0.1);
+  const auto fail_after_growth = [&] {
+    step.grow();
+    step.halve();
+    int waiting = 0;
+    for (const double before = step.value(); step.value() == before; ++waiting) step.grow();
+    return waiting - 1;
+  };
+  EXPECT_EQ(fail_after_growth(), 1);
+  for (int k = 0; k < 3; ++k) step.grow();
+  EXPECT_EQ(fail_after_growth(), 1);
+}
+
+class A_step : public testing::Test {
+ protected:
+  bool is_good() const { return CGP::step_fault(report, is_turning, is_exact, options).empty(); }
+
+  CGP::Flow_options options;
+  bool is_turning = false, is_exact = false;
+  CGP::Spin_report report = [] {
+    CGP::Spin_report good;
+    good.converged = true;
+    good.conformality.quasi_conformal.mean = 1;
+    return good;
+  }();
+};
+
+TEST_F(A_step, whose_equation_is_solved_may_be_taken)
+{
+  EXPECT_TRUE(is_good());
+  report.converged = false;
+  EXPECT_EQ(CGP::step_fault(report, false, false, options), "the Dirac equation is not solved");
+  options.backtracking = false;
+  EXPECT_FALSE(is_good());
+}
+
+TEST_F(A_step, that_distorts_is_not_taken_where_a_smaller_one_can_be)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const double bad : {1.5, nan}) {
+    report.conformality.quasi_conformal.mean = bad;
+    options.backtracking = true;
+    EXPECT_NE(CGP::step_fault(report, false, false, options).find("quasi-conformal"),
+              std::string::npos);
+    options.backtracking = false;
+    EXPECT_TRUE(is_good());
+  }
+}
+
+TEST_F(A_step, from_which_the_exact_class_is_to_be_reached_distorts_little)
+{
+  report.conformality.quasi_conformal.mean = 1.3;
+  EXPECT_TRUE(is_good());
+  is_exact = true;
+  EXPECT_FALSE(is_good());
+  options.max_step_distortion = 1.4;
+  EXPECT_TRUE(is_good());
+}
+
+TEST_F(A_step, that_tears_is_not_taken_where_a_smaller_one_can_be)
+{
+  report.closure_residual = .9 * options.max_step_closure;
+  EXPECT_TRUE(is_good());
+  report.closure_residual = options.max_step_closure;
+  EXPECT_NE(CGP::step_fault(report, false, false, options).find("closure"), std::string::npos);
+  options.backtracking = false;
+  EXPECT_TRUE(is_good());
+}
+
+TEST_F(A_step, to_directions_that_no_surface_has_is_not_taken_but_keeping_directions_is)
+{
+  report.boundary_fault = Boundary_fault::not_realizable;
+  EXPECT_TRUE(is_good());
+  is_turning = true;
+  EXPECT_EQ(CGP::step_fault(report, true, false, options),
+            CGP::to_string(Boundary_fault::not_realizable));
+}
 
 /// Laws of the flow on spheres. The energies of the reference runs come from an implementation of
 /// the same formulas that shares no code with this one.

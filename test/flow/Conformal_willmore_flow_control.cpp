@@ -1,5 +1,5 @@
-// Tests include/Conformal_geometry_processing/flow/Conformal_willmore_flow.h
-// Tests include/Conformal_geometry_processing/flow/Flow_visitor.h
+// Tests flow/Conformal_willmore_flow.h
+// Tests flow/Flow_report.h
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/flow/Conformal_willmore_flow.h>
 

@@ -1,7 +1,7 @@
-// Tests include/Conformal_geometry_processing/flow/Conformal_willmore_flow.h
+// Tests flow/Conformal_willmore_flow.h
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/flow/Conformal_willmore_flow.h>
-#include <Conformal_geometry_processing/flow/canonical_area_density.h>
+#include <Conformal_geometry_processing/flow/Moebius_balancing.h>
 #include <Conformal_geometry_processing/spin/spin_structure.h>
 #include <Conformal_geometry_processing/surfaces/torus_of_class.h>
 

@@ -50,7 +50,7 @@ def members(header, struct):
     ("parameterization/spectral_parameterization.h", "Parameterization_report",
      cg.Parameterization_report),
     ("measure/Realised_curvature.h", "Realised_curvature", cg.Realised_curvature),
-    ("spin/Class_snap_report.h", "Class_snap_report", cg.Class_snap_report),
+    ("spin/Spin_report.h", "Class_snap_report", cg.Class_snap_report),
 ])
 def test_reports_have_all_fields(header, struct, report):
     wanted = members(header, struct)

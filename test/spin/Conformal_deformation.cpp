@@ -1,6 +1,5 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-// Tests include/Conformal_geometry_processing/spin/Conformal_deformation.h
-// Tests spin/Conformal_deformation_options.h spin/Relaxed_positions.h
+// Tests spin/Relaxed_positions.h
 #include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/spin/Conformal_deformation.h>
 #include <Conformal_geometry_processing/spin/transformed_edges.h>

@@ -1,8 +1,8 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-// Tests include/Conformal_geometry_processing/spin/Conformal_deformation.h
+// Tests spin/Conformal_deformation.h
 #include <Conformal_geometry_processing/spin/Conformal_deformation.h>
 #include <Conformal_geometry_processing/spin/Dirac_system.h>
-#include <Conformal_geometry_processing/spin/Potential_metric.h>
+#include <Conformal_geometry_processing/spin/Relaxed_spins.h>
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
-// Tests include/Conformal_geometry_processing/spin/Nearest_spin_transformation.h
-// Tests include/Conformal_geometry_processing/spin/checked_target.h
+// Tests spin/Nearest_spin_transformation.h
+// Tests spin/spin_structure.h
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/measure/alignment.h>
 #include <Conformal_geometry_processing/measure/distortion.h>
 #include <Conformal_geometry_processing/spin/Nearest_spin_transformation.h>
-#include <Conformal_geometry_processing/spin/face_spins.h>
+#include <Conformal_geometry_processing/spin/spin_structure.h>
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,8 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-// Tests include/Conformal_geometry_processing/spin/Spin_derivative.h
-// Tests operators/dirac_energy.h spin/log_scales.h spin/edge_derivative.h
-// Tests spin/Placement_derivative.h spin/Position_derivative.h
-#include <Conformal_geometry_processing/spin/Position_derivative.h>
+// Tests operators/dirac_energy.h spin/Spin_residual.h spin/transformed_edges.h
 #include <Conformal_geometry_processing/spin/Spin_derivative.h>
+#include <Conformal_geometry_processing/spin/Spin_residual.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
-#include <Conformal_geometry_processing/spin/log_scales.h>
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,6 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-// Tests include/Conformal_geometry_processing/spin/Spin_transformation.h
-// Tests include/Conformal_geometry_processing/spin/Spin_result.h
-// Tests include/Conformal_geometry_processing/spin/Spin_transformation_options.h
-// Tests include/Conformal_geometry_processing/spin/gauge.h
-// Tests include/Conformal_geometry_processing/spin/Spin_report.h
+// Tests spin/Spin_gauge.h
+// Tests spin/Spin_report.h
 #include <Conformal_geometry_processing/measure/distortion.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>

@@ -1,6 +1,6 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-// Tests include/Conformal_geometry_processing/spin/Spin_transformation.h
-// Tests include/Conformal_geometry_processing/spin/nearness_weight.h
+// Tests spin/Spin_transformation.h
+// Tests spin/Spin_residual.h
 #include "spin/boundary_tools.h"
 
 namespace cgp_test::spin_transformation_boundary_bump_tests {

@@ -1,8 +1,8 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-// Tests include/Conformal_geometry_processing/spin/Spin_transformation.h
+// Tests spin/Spin_transformation.h
 #include <functional>
 
-#include <Conformal_geometry_processing/spin/Spin_report_io.h>
+#include <Conformal_geometry_processing/spin/Spin_report.h>
 #include "spin/boundary_tools.h"
 
 namespace cgp_test::spin_transformation_boundary_revolution_tests {

@@ -1,14 +1,22 @@
-// Tests include/Conformal_geometry_processing/spin/curvature_difference.h
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/measure/alignment.h>
+#include <Conformal_geometry_processing/mesh/Boundary_frames.h>
+#include <Conformal_geometry_processing/mesh/topology.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
 #include <Conformal_geometry_processing/spin/curvature_difference.h>
 
 #include <gtest/gtest.h>
+#include <Eigen/Geometry>
 
+#include "support/bounded_meshes.h"
+#include "support/meshes.h"
 #include "support/moebius.h"
 #include "support/spheres.h"
+
+#include <algorithm>
+#include <cmath>
 
 namespace cgp_test::curvature_difference_tests {
 
@@ -113,6 +121,134 @@ TEST(Curvature_difference, is_so_for_very_large_and_very_small_units)
 TEST(Curvature_difference, refuses_other_numbers_of_positions)
 {
   EXPECT_THROW((void)CGP::curvature_difference(icosphere(1), Points(3, 2)),
+               CGP::Precondition_error);
+}
+
+/// the direction in the half plane through the z axis and a point
+Eigen::Vector3d tilted(const Eigen::Vector3d& p, double angle)
+{
+  const Eigen::Vector3d outward = Eigen::Vector3d(p.x(), p.y(), 0).normalized();
+  return std::cos(angle) * outward + std::sin(angle) * Eigen::Vector3d::UnitZ();
+}
+
+TEST(Turned_binormals, turn_evenly_from_a_disk_to_a_cap_and_beyond)
+{
+  // The binormals of a disk are horizontal; at a cap of polar angle 1 they point down by the
+  // angle 1.
+  const Mesh_view flat = disk(20), cap = cap_from_disk(flat, 1.);
+  const std::vector<int> rim = CGP::boundary_frames(flat).vertices;
+  for (const double t : {-0.5, 0., 0.3, 1., 2.}) {
+    const Points B = CGP::turned_binormals(flat, cap, flat, t);
+    for (std::size_t k = 0; k < rim.size(); ++k)
+      EXPECT_LT((B.col(Eigen::Index(k)) - tilted(flat.position(rim[k]), -t)).norm(), 0.06) << t;
+  }
+}
+
+TEST(Turned_binormals, are_those_of_the_surfaces_at_the_ends)
+{
+  const Mesh_view mesh = disk(5), cap = cap_from_disk(mesh, 1.3);
+  const Eigen::AngleAxisd tilt(0.4,
+                               Eigen::Vector3d::UnitX());  // turns binormals along the boundary
+  const Mesh_view tilted_cap =
+      mapped(cap, [&](const Eigen::Vector3d& p) -> Eigen::Vector3d { return tilt * p; });
+  const CGP::internal::Boundary_frames from = CGP::boundary_frames(mesh);
+  for (const Mesh_view& to : {cap, tilted_cap}) {
+    const CGP::internal::Boundary_frames wanted = CGP::boundary_frames(to);
+    const Points start = CGP::turned_binormals(mesh, to, mesh, 0),
+                 end = CGP::turned_binormals(mesh, to, mesh, 1);
+    for (std::size_t k = 0; k < from.vertices.size(); ++k) {
+      EXPECT_LT((start.col(Eigen::Index(k)) - from.binormal(k)).norm(), 1e-14);
+      EXPECT_LT((end.col(Eigen::Index(k)) - wanted.binormal(k)).norm(), 1e-14);
+    }
+  }
+}
+
+TEST(Turned_binormals, turn_another_surface_by_as_much)
+{
+  // From a disk to a cap of polar angle 1, from that one as far again: to one of polar angle 2.
+  const Mesh_view flat = disk(20), cap = cap_from_disk(flat, 1.);
+  const std::vector<int> rim = CGP::boundary_frames(flat).vertices;
+  const Points B = CGP::turned_binormals(flat, cap, cap, 1);
+  for (std::size_t k = 0; k < rim.size(); ++k)
+    EXPECT_LT((B.col(Eigen::Index(k)) - tilted(flat.position(rim[k]), -2)).norm(), 0.1);
+}
+
+TEST(Turned_binormals, turn_over_the_normal_by_half_a_turn)
+{
+  // The disk inside out through a half turn: its binormals point inward, exactly opposite.
+  const Mesh_view mesh = unit_square();
+  const Mesh_view opposite = mapped(mesh, [](const Eigen::Vector3d& p) -> Eigen::Vector3d {
+    return {-p.x(), -p.y(), p.z()};
+  });
+  const Points B = CGP::turned_binormals(mesh, opposite, mesh, 0.5);
+  EXPECT_LT((B.colwise() - Eigen::Vector3d::UnitZ()).norm(), 1e-12);
+}
+
+/// how far the transformation by rho is from the positions, relative to the diagonal
+double distance_by(const CGP::Curvature_potential& rho, const Mesh_view& mesh,
+                   const Points& positions)
+{
+  CGP::Spin_transformation_options options;
+  if (!CGP::topology(mesh).is_closed()) {
+    const Points aligned = CGP::align(positions, mesh.positions()).apply(positions);
+    options.boundary = CGP::Boundary_condition::binormals(
+        CGP::turned_binormals(mesh, Mesh_view(aligned, mesh.corners()), mesh, 1));
+    options.exactness.reset();
+  }
+  const CGP::Spin_result result = CGP::Spin_transformation(mesh, options).transform(rho);
+  EXPECT_TRUE(result.report);
+  return CGP::align(result.positions, positions).rms;
+}
+
+// Where the plain difference misses by the discretisation error. On nearly round spheres,
+// differences of curvature hardly see inversions, of which a tenth of that is left.
+TEST(Nearest_curvature_difference, arrives_within_the_tolerance_on_coarse_and_irregular_meshes)
+{
+  for (const Mesh_view& mesh : {bumpy_sphere(2), perturbed(bumpy_sphere(3), .03)}) {
+    const Points other = inverted(mesh, Eigen::Vector3d(.4, .3, 3)).positions();
+    const double plain = distance_by(CGP::curvature_difference(mesh, other), mesh, other);
+    EXPECT_GT(plain, 2e-3);
+    for (const double tolerance : {1e-3, 1e-4}) {
+      const auto rho = CGP::nearest_curvature_difference(mesh, other, tolerance);
+      EXPECT_LT(distance_by(rho, mesh, other), (std::max)(1.5 * tolerance, .1 * plain));
+    }
+  }
+}
+
+TEST(Nearest_curvature_difference, arrives_with_the_binormals_of_a_boundary)
+{
+  const Mesh_view mesh = jittered_disk(8, .2);
+  const Points cap = cap_from_disk(mesh, 1.2).positions();
+  const auto rho = CGP::nearest_curvature_difference(mesh, cap);
+  EXPECT_LT(distance_by(rho, mesh, cap),
+            .5 * distance_by(CGP::curvature_difference(mesh, cap), mesh, cap));
+}
+
+TEST(Nearest_curvature_difference, scales_as_a_curvature)
+{
+  const Mesh_view mesh = bumpy_sphere(2);
+  const Points other = inverted(mesh, Eigen::Vector3d(.4, .3, 3)).positions();
+  const auto rho = CGP::nearest_curvature_difference(mesh, other, 1e-3),
+             of_half = CGP::nearest_curvature_difference(scaled(mesh, .5), 3 * other, 1e-3);
+  EXPECT_EQ(rho.on, of_half.on);
+  EXPECT_LT((of_half.values - 2 * rho.values).norm(), 1e-6 * rho.values.norm());
+}
+
+TEST(Nearest_curvature_difference, is_the_plain_one_if_the_search_is_cancelled)
+{
+  const Mesh_view mesh = bumpy_sphere(2);
+  const Points other = inverted(mesh, Eigen::Vector3d(.4, .3, 3)).positions();
+  const auto cancel = [](const CGP::Eigensolver_progress&) { return false; };
+  EXPECT_EQ(CGP::nearest_curvature_difference(mesh, other, 1e-4, {}, cancel).values,
+            CGP::curvature_difference(mesh, other).values);
+}
+
+TEST(Nearest_curvature_difference, refuses_what_does_not_fit)
+{
+  const Mesh_view mesh = icosphere(1);
+  EXPECT_THROW((void)CGP::nearest_curvature_difference(mesh, Points(3, 2)),
+               CGP::Precondition_error);
+  EXPECT_THROW((void)CGP::nearest_curvature_difference(mesh, mesh.positions(), -1),
                CGP::Precondition_error);
 }
 

@@ -1,5 +1,4 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-// Tests include/Conformal_geometry_processing/spin/follow_branch.h
 #include <Conformal_geometry_processing/linear_algebra/dense/block_operators.h>
 #include <Conformal_geometry_processing/operators/dirac_energy.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
@@ -7,20 +6,90 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "spin/dense_branch.h"
 #include "support/dense.h"
 #include "support/meshes.h"
 
+#include <cmath>
+
 namespace cgp_test::follow_branch_tests {
 
+using Conformal_geometry_processing::internal::Shift_secant;
 namespace CGP = Conformal_geometry_processing;
 using CGP::Curvature_potential;
 using CGP::internal::Branch_point;
 using CGP::internal::Dirac_gram;
 using CGP::internal::follow_branch;
 using CGP::internal::follow_settled_branch;
+
+const double zero = 0.3;
+
+double change_at(double shift, double slope)
+{
+  return slope * (shift - zero);
+}
+
+/// the shift after some steps from 0
+double after(int steps, double slope)
+{
+  Shift_secant secant;
+  double shift = 0;
+  for (int k = 0; k < steps; ++k) shift += secant.step(shift, change_at(shift, slope), 1e-12);
+  return shift;
+}
+
+TEST(Shift_secant, takes_the_change_itself_as_its_first_step)
+{
+  EXPECT_NEAR(after(1, -1), zero, 1e-15);
+  EXPECT_NEAR(after(1, -.2), .2 * zero, 1e-15);
+}
+
+TEST(Shift_secant, finds_the_zero_of_a_line_in_two_steps)
+{
+  for (const double slope : {-1.8, -1., -.5, -.06}) EXPECT_NEAR(after(2, slope), zero, 1e-12);
+}
+
+TEST(Shift_secant, never_takes_a_step_of_more_than_twenty_changes)
+{
+  for (const double slope : {-.01, .5}) {
+    Shift_secant secant;
+    double shift = 0;
+    for (int k = 0; k < 3; ++k) {
+      const double change = change_at(shift, slope), step = secant.step(shift, change, 0);
+      EXPECT_LE(std::abs(step), 20.001 * std::abs(change)) << slope << ' ' << k;
+      EXPECT_GE(step * change, 0) << "towards the quotient";
+      shift += step;
+    }
+  }
+}
+
+TEST(Shift_secant, learns_nothing_from_changes_that_differ_by_less_than_their_error)
+{
+  Shift_secant secant;
+  const double first = secant.step(0, .1, 1e-3);
+  EXPECT_EQ(secant.step(first, .0995, 1e-3), .0995);
+  EXPECT_NE(secant.step(2 * first, .05, 1e-3), .05);
+}
+
+TEST(Shift_secant, tells_whether_changes_become_smaller)
+{
+  Shift_secant secant;
+  EXPECT_TRUE(secant.is_nearer(100));
+  secant.step(0, .1, 0);
+  EXPECT_TRUE(secant.is_nearer(-.09));
+  EXPECT_FALSE(secant.is_nearer(-.11));
+}
+
+TEST(Shift_secant, keeps_its_derivative_when_it_begins_again)
+{
+  const double slope = -.2, root = 3;
+  Shift_secant secant;
+  double shift = 0;
+  for (int k = 0; k < 2; ++k) shift += secant.step(shift, slope * (shift - root), 1e-9);
+  secant.restart();
+  EXPECT_TRUE(secant.is_nearer(1e6));
+  EXPECT_NEAR(secant.step(1, slope * (1 - root), 1e-9), root - 1, 1e-12);
+}
 
 /// the columns divided by their lengths in the norm of the vertex areas
 Quaternion_matrix unit_columns(const Eigen::VectorXd& areas, Quaternion_matrix V)

@@ -1,7 +1,6 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-// Tests include/Conformal_geometry_processing/spin/least_twist.h
-#include <Conformal_geometry_processing/spin/boundary_planes.h>
-#include <Conformal_geometry_processing/spin/least_twist.h>
+// Tests spin/Prescribed_directions.h
+#include <Conformal_geometry_processing/spin/Prescribed_directions.h>
 
 #include <gtest/gtest.h>
 

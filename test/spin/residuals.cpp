@@ -1,8 +1,7 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-// Tests spin/Spin_residual.h spin/Scale_residual.h spin/Period_residual.h spin/Nearness_residual.h
-#include <Conformal_geometry_processing/spin/Nearness_residual.h>
+// Tests spin/Spin_residual.h spin/Period_residual.h
 #include <Conformal_geometry_processing/spin/Period_residual.h>
-#include <Conformal_geometry_processing/spin/Scale_residual.h>
+#include <Conformal_geometry_processing/spin/Spin_residual.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
 
 #include <gtest/gtest.h>

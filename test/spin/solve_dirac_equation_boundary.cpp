@@ -1,10 +1,10 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-// Tests include/Conformal_geometry_processing/spin/solve_dirac_equation.h
-// Tests include/Conformal_geometry_processing/spin/nearness_weight.h
+// Tests spin/solve_dirac_equation.h
+// Tests spin/Spin_residual.h
 #include <Conformal_geometry_processing/linear_algebra/adapters/Eigen_hermitian_solver_traits.h>
 #include <Conformal_geometry_processing/operators/dirac.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
-#include <Conformal_geometry_processing/spin/nearness_weight.h>
+#include <Conformal_geometry_processing/spin/Spin_residual.h>
 #include <Conformal_geometry_processing/spin/solve_dirac_equation.h>
 
 #include "spin/boundary_tools.h"

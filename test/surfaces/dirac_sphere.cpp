@@ -4,7 +4,7 @@
 #include <Conformal_geometry_processing/operators/dirac.h>
 #include <Conformal_geometry_processing/operators/dirac_energy.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
-#include <Conformal_geometry_processing/spin/Dirac_spectral_problem.h>
+#include <Conformal_geometry_processing/spin/Dirac_spectrum.h>
 #include <Conformal_geometry_processing/surfaces/dirac_sphere.h>
 
 #include <gtest/gtest.h>

@@ -13,7 +13,7 @@
 #include "conformal/transform/write_result.h"
 
 #include <Conformal_geometry_processing/mesh/topology.h>
-#include <Conformal_geometry_processing/spin/Dirac_spectral_problem.h>
+#include <Conformal_geometry_processing/spin/Dirac_spectrum.h>
 #include <Conformal_geometry_processing/surfaces/dirac_sphere.h>
 
 #include <optional>

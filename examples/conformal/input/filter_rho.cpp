@@ -3,7 +3,7 @@
 
 #include "conformal/process/Failure.h"
 
-#include <Conformal_geometry_processing/flow/filtered_on_surface.h>
+#include <Conformal_geometry_processing/flow/Curvature_filter.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Conformal_geometry_processing/painting/image_filters.h>
 

@@ -8,7 +8,7 @@
 #include "conformal/process/interruption.h"
 #include "conformal/report/Session.h"
 
-#include <Conformal_geometry_processing/flow/Flow_visitor.h>
+#include <Conformal_geometry_processing/flow/Flow_report.h>
 
 #include <optional>
 #include <string>

@@ -3,10 +3,9 @@
 #include "options.h"
 #include "watch.h"
 
-#include <Conformal_geometry_processing/spin/Position_derivative.h>
 #include <Conformal_geometry_processing/spin/Spin_derivative.h>
+#include <Conformal_geometry_processing/spin/Spin_residual.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
-#include <Conformal_geometry_processing/spin/log_scales.h>
 
 #include <atomic>
 #include <optional>

@@ -8,8 +8,6 @@
 #include <Conformal_geometry_processing/spin/Nearest_spin_transformation.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
 #include <Conformal_geometry_processing/spin/curvature_difference.h>
-#include <Conformal_geometry_processing/spin/nearest_curvature_difference.h>
-#include <Conformal_geometry_processing/spin/turned_binormals.h>
 
 #include <optional>
 #include <utility>

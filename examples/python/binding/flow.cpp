@@ -5,7 +5,7 @@
 #include "watch.h"
 
 #include <Conformal_geometry_processing/flow/Conformal_willmore_flow.h>
-#include <Conformal_geometry_processing/flow/Flow_visitor.h>
+#include <Conformal_geometry_processing/flow/Flow_report.h>
 
 #include <optional>
 #include <utility>

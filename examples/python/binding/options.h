@@ -6,7 +6,7 @@
 #include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/forms/exactness_functions.h>
 #include <Conformal_geometry_processing/spin/Spin_report.h>
-#include <Conformal_geometry_processing/spin/Spin_transformation_options.h>
+#include <Conformal_geometry_processing/spin/Spin_transformation.h>
 
 #include <pybind11/stl.h>
 

@@ -10,7 +10,7 @@
 #include <Conformal_geometry_processing/mesh/simple_delaunay.h>
 #include <Conformal_geometry_processing/mesh/topology.h>
 #include <Conformal_geometry_processing/parameterization/spectral_parameterization.h>
-#include <Conformal_geometry_processing/spin/Dirac_spectral_problem.h>
+#include <Conformal_geometry_processing/spin/Dirac_spectrum.h>
 #include <Conformal_geometry_processing/spin/snap_to_class.h>
 
 #include <utility>

@@ -5,7 +5,7 @@
 #include "reports.h"
 #include "watch.h"
 
-#include <Conformal_geometry_processing/spin/Spin_result.h>
+#include <Conformal_geometry_processing/spin/Spin_transformation.h>
 
 namespace conformal_python {
 

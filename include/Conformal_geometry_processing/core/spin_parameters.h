@@ -8,7 +8,6 @@
 #include <Conformal_geometry_processing/operators/Curvature_potential.h>
 #include <Conformal_geometry_processing/spin/Control_point.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
-#include <Conformal_geometry_processing/spin/Spin_transformation_options.h>
 
 #include <CGAL/number_utils.h>
 #include <Eigen/Core>

@@ -1,10 +1,18 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #pragma once
 
+#include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
+#include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/flow/Fairing_patch.h>
+#include <Conformal_geometry_processing/linear_algebra/dense/Solver_status.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 
 #include <Eigen/Core>
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <vector>
 
 namespace Conformal_geometry_processing::internal {
 
@@ -39,5 +47,68 @@ class Bending_energy {
   Points m_curvature;  // L f / A = 2 H N where the surface bends, zero elsewhere
   double m_value = 0;
 };
+
+/// \ingroup PkgFlow
+/// \brief K = L A^-1 L / 2 on the free vertices of a patch, for the vertices that bend: the second
+/// derivative of the Willmore energy for a fixed metric, of each coordinate.
+///
+/// |free| x |free|, real symmetric, positive definite; joins vertices with a common neighbour.
+class Bending_matrix {
+ public:
+  explicit Bending_matrix(const Fairing_patch& patch);
+
+  const std::shared_ptr<const Sparse_pattern>& pattern() const { return m_pattern; }
+
+  /// \brief Calls `add(k, x)` for the addends x of the value at each position k of the pattern.
+  template <class Add>
+  void assemble(const Bending_energy& energy, Add add) const
+  {
+    auto place = m_places.begin();
+    for (std::size_t s = 0; s + 1 < m_offsets.size(); ++s) {
+      const double inverse = .5 / energy.areas()[m_middles[s]];
+      for (std::size_t p = m_offsets[s]; p < m_offsets[s + 1]; ++p)
+        for (std::size_t q = m_offsets[s]; q <= p; ++q)
+          add(*place++, inverse * coefficient(p, energy) * coefficient(q, energy));
+    }
+  }
+
+ private:
+  /// a free vertex in the row of L of a vertex that bends, and the edges to it: its one, or all of
+  /// the middle
+  struct Entry {
+    int unknown;
+    std::vector<int> edges;
+  };
+
+  double coefficient(std::size_t p, const Bending_energy& energy) const;
+  void add_row(const Fairing_patch& patch, int v, const std::vector<int>& edges);
+  void find_pattern(int size);
+
+  // the rows of L of all vertices that bend, one after another
+  std::vector<int> m_middles;
+  std::vector<std::size_t> m_offsets{0};
+  std::vector<Entry> m_entries;
+  std::shared_ptr<const Sparse_pattern> m_pattern;
+  std::vector<int> m_places;  // in the pattern, of the products of two entries of a row
+};
+
+/// \ingroup PkgFlow
+/// \brief A step of a fairing
+struct Fairing_step {
+  Points f;               ///< positions of the vertices of the patch: of the last trial
+  bool is_lower = false;  ///< it has less energy than before
+};
+
+/// a free vertex for each column, added to positions
+inline Points moved(const Fairing_patch& patch, Points f, const Points& d, double t = 1)
+{
+  for (int k = 0; k < patch.size(); ++k) f.col(patch.free_vertex(k)) += t * d.col(k);
+  return f;
+}
+
+inline void require_fairing_solver(Solver_status status)
+{
+  if (status != Solver_status::success) throw Solver_error("conformal_fairing", to_string(status));
+}
 
 }  // namespace Conformal_geometry_processing::internal

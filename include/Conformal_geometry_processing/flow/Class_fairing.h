@@ -3,9 +3,7 @@
 
 #include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
 #include <Conformal_geometry_processing/flow/Bending_energy.h>
-#include <Conformal_geometry_processing/flow/Bending_matrix.h>
 #include <Conformal_geometry_processing/flow/Fairing_patch.h>
-#include <Conformal_geometry_processing/flow/Fairing_step.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Supernodal_cholesky.h>
 
 #include <Eigen/Core>

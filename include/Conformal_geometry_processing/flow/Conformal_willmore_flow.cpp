@@ -2,7 +2,6 @@
 #include <Conformal_geometry_processing/flow/Conformal_willmore_flow.h>
 
 #include <Conformal_geometry_processing/flow/Constrained_direction.h>
-#include <Conformal_geometry_processing/flow/step_fault.h>
 #include <Conformal_geometry_processing/mesh/Boundary_frames.h>
 
 #include <Eigen/Core>
@@ -14,6 +13,45 @@
 #include <utility>
 
 namespace Conformal_geometry_processing {
+
+internal::Time_step::Time_step(double largest, double smallest, double first)
+    : m_largest(largest), m_smallest(smallest), m_value(first)
+{}
+
+bool internal::Time_step::halve()
+{
+  if (m_value / 2 < m_smallest) return false;
+  m_value /= 2;
+  if (std::exchange(m_has_grown, false)) m_next_waiting *= 2;
+  m_waiting = m_next_waiting / 2;
+  return true;
+}
+
+void internal::Time_step::grow()
+{
+  if (m_waiting > 0) {
+    --m_waiting;
+    return;
+  }
+  if (m_has_grown) m_next_waiting = 1;
+  m_has_grown = m_value < m_largest;
+  m_value = (std::min)(1.5 * m_value, m_largest);
+}
+
+std::string step_fault(const Spin_report& report, bool is_turning, bool is_exact,
+                       const Flow_options& options)
+{
+  if (!report.converged) return "the Dirac equation is not solved";
+  if (report.boundary_fault == Spin_report::Boundary_fault::not_realizable && is_turning)
+    return to_string(report.boundary_fault);
+  if (!options.backtracking) return {};
+  const double distortion = report.conformality.quasi_conformal.mean;
+  if (!(distortion < options.max_step_distortion.value_or(is_exact ? 1.15 : 1.5)))
+    return "the mean quasi-conformal error is " + std::to_string(distortion);
+  if (!(report.closure_residual < options.max_step_closure))
+    return "the closure residual is " + std::to_string(report.closure_residual);
+  return {};
+}
 
 Conformal_willmore_flow::Conformal_willmore_flow(const Mesh_view& mesh, const Flow_options& options,
                                                  internal::Curvature_direction_ref direction,
@@ -43,7 +81,7 @@ Conformal_willmore_flow::Conformal_willmore_flow(const Mesh_view& mesh, const Fl
 
 namespace internal {
 
-constexpr double pi = 3.14159265358979323846;
+constexpr double energy_of_spheres = 4 * 3.14159265358979323846;  // the least of closed surfaces
 
 /// makes the directions that a boundary has targets of a condition that keeps them
 inline void keep_first_directions(const Mesh_view& mesh, Boundary_condition& condition)
@@ -172,7 +210,7 @@ double Conformal_willmore_flow::balanced(double energy)
 double Conformal_willmore_flow::forbidden_rise() const
 {
   const bool may_rise = !m_options.backtracking || !m_direction.unconstrained().has_energy();
-  return may_rise ? HUGE_VAL : turning_angle() * (std::max)(m_energy, 4 * internal::pi);
+  return may_rise ? HUGE_VAL : turning_angle() * (std::max)(m_energy, internal::energy_of_spheres);
 }
 
 Spin_report::Direction_error Conformal_willmore_flow::direction_error() const
@@ -202,7 +240,7 @@ bool Conformal_willmore_flow::is_small(double change, double time) const
 bool Conformal_willmore_flow::is_within_error(double rise) const
 {
   return is_small(rise, 1) ||
-         rise < direction_error().mean * (std::max)(m_energy, 4 * internal::pi);
+         rise < direction_error().mean * (std::max)(m_energy, internal::energy_of_spheres);
 }
 
 auto Conformal_willmore_flow::move_on(double energy, const Conformality::Limits& limits,

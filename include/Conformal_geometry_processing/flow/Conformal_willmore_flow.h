@@ -8,8 +8,6 @@
 #include <Conformal_geometry_processing/flow/Flow_balance.h>
 #include <Conformal_geometry_processing/flow/Flow_options.h>
 #include <Conformal_geometry_processing/flow/Flow_report.h>
-#include <Conformal_geometry_processing/flow/Flow_visitor.h>
-#include <Conformal_geometry_processing/flow/Time_step.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Stopwatch.h>
 #include <Conformal_geometry_processing/linear_algebra/krylov/Eigensolver_result.h>
 #include <Conformal_geometry_processing/linear_algebra/krylov/Visit_guard.h>
@@ -20,6 +18,7 @@
 #include <Conformal_geometry_processing/mesh/normals.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
+#include <Conformal_geometry_processing/spin/Spin_report.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
 #include <Conformal_geometry_processing/threads/Thread_team.h>
 
@@ -30,6 +29,45 @@
 #include <string>
 
 namespace Conformal_geometry_processing {
+namespace internal {
+
+/// \ingroup PkgFlow
+/// \brief the time step of a flow with backtracking: shrinks after failures and grows again.
+///
+/// Growth by a smaller factor than halving undoes, and only after successes without it, prevents a
+/// flow with a limited step from failing in every other trial: each time that growth fails, it
+/// waits for twice as many of them.
+class Time_step {
+ public:
+  /// \param first tried first
+  /// \pre 0 < smallest <= first <= largest
+  Time_step(double largest, double smallest, double first);
+
+  double value() const { return m_value; }
+
+  /// call after a failed step; returns false and keeps the step if half of it would be too small
+  bool halve();
+
+  /// call after a successful step
+  void grow();
+
+ private:
+  double m_largest, m_smallest, m_value;
+  int m_waiting = 0, m_next_waiting = 1;  // successes without growth
+  bool m_has_grown = false;               // by the last success
+};
+
+}  // namespace internal
+
+/// \ingroup PkgFlow
+/// \brief why a step of a flow must be rejected whatever its energy; empty if it may be accepted.
+///
+/// \param report of the spin transformation of the step
+/// \param is_turning whether the boundary has not yet reached the prescribed directions. Tangents
+/// that are merely kept need not be realizable: if they are not planar, no curvature is.
+/// \param is_exact whether the surface is to stay on its exact conformal class
+std::string step_fault(const Spin_report& report, bool is_turning, bool is_exact,
+                       const Flow_options& options);
 
 /// \ingroup PkgFlow
 /// \brief the conformal Willmore flow of a surface: a sequence of spin transformations that makes

@@ -1,7 +1,7 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/flow/Flow_balance.h>
 
-#include <Conformal_geometry_processing/flow/canonical_area_density.h>
+#include <Conformal_geometry_processing/flow/Moebius_balancing.h>
 #include <Conformal_geometry_processing/mesh/normals.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>

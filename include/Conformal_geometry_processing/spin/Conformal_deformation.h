@@ -2,18 +2,33 @@
 #pragma once
 
 #include <Conformal_geometry_processing/linear_algebra/krylov/Visit_guard.h>
-#include <Conformal_geometry_processing/spin/Conformal_deformation_options.h>
 #include <Conformal_geometry_processing/spin/Control_point.h>
 #include <Conformal_geometry_processing/spin/Region_of_interest.h>
 #include <Conformal_geometry_processing/spin/Relaxed_positions.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
 
+#include <Eigen/Core>
+
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace Conformal_geometry_processing::internal {
+
+/// \ingroup PkgSpin
+/// options of `Conformal_deformation`
+struct Conformal_deformation_options {
+  /// how handles stay closed, mollification, and the bound on scales; the boundary has to be free
+  Spin_transformation_options surface = {};
+  /// weight of the distances from the targets against rho, in multiples of 1 / R with R the radius
+  /// of the sphere of the same area; infinity: the targets are met exactly
+  double position_weight = std::numeric_limits<double>::infinity();
+  /// for each vertex of the mesh its weight in the `Region_of_interest`; empty: all may move
+  Eigen::VectorXd region = {};
+  double min_step = 1. / 32;  ///< the smallest step towards the targets, as a share of the way
+};
 
 /// \ingroup PkgSpin
 /// \brief deforms a surface conformally so that control points on it move to given positions: finds

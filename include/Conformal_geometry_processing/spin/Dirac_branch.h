@@ -7,7 +7,6 @@
 #include <Conformal_geometry_processing/operators/dirac_energy.h>
 #include <Conformal_geometry_processing/spin/Dirac_solution.h>
 #include <Conformal_geometry_processing/spin/Dirac_system.h>
-#include <Conformal_geometry_processing/spin/Shift_secant.h>
 #include <Conformal_geometry_processing/spin/follow_branch.h>
 
 #include <Eigen/Core>

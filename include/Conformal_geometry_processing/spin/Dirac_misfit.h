@@ -4,7 +4,6 @@
 #include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 #include <Conformal_geometry_processing/mesh/Surface_ref.h>
-#include <Conformal_geometry_processing/spin/Misfit_weights.h>
 
 #include <Eigen/Core>
 
@@ -12,6 +11,16 @@
 #include <vector>
 
 namespace Conformal_geometry_processing::internal {
+
+/// \ingroup PkgSpin
+/// weights of the residuals of a `Dirac_misfit`, numbers without a unit
+struct Misfit_weights {
+  double sheets = 0.2;
+  double vertices = 0;  ///< 0: `default_vertex_weight()`
+  double factor = 1;    ///< of both
+
+  double sum() const { return sheets + vertices; }
+};
 
 /// \ingroup PkgSpin
 /// \brief the residual of the Dirac equation (D - rho) lambda = 0, relative to |lambda|, on sheets

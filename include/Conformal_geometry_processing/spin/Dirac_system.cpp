@@ -12,8 +12,8 @@
 #include <Conformal_geometry_processing/spin/Boundary_condition.h>
 #include <Conformal_geometry_processing/spin/Prescribed_directions.h>
 #include <Conformal_geometry_processing/spin/Prescribed_positions.h>
-#include <Conformal_geometry_processing/spin/gauge.h>
-#include <Conformal_geometry_processing/spin/nearness_weight.h>
+#include <Conformal_geometry_processing/spin/Spin_gauge.h>
+#include <Conformal_geometry_processing/spin/Spin_residual.h>
 
 #include <Eigen/Core>
 

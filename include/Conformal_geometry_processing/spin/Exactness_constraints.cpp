@@ -7,11 +7,31 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
 
 namespace Conformal_geometry_processing {
+
+internal::Constraint_basis::Constraint_basis(Eigen::VectorXd areas)
+    : m_areas(std::move(areas)), m_basis(m_areas.size(), 0)
+{}
+
+void internal::Constraint_basis::add(Eigen::MatrixXd functions)
+{
+  Eigen::MatrixXd group = weighted_orthonormalization(std::move(functions), m_areas);
+  const Eigen::Index rank = m_basis.cols();
+  m_basis.conservativeResize(Eigen::NoChange, rank + group.cols());
+  m_basis.rightCols(group.cols()) = group;
+  group.resize(0, 0);
+  m_basis = weighted_orthonormalization(std::move(m_basis), m_areas);
+}
+
+Eigen::VectorXd internal::Constraint_basis::project_out(Eigen::VectorXd v) const
+{
+  return Conformal_geometry_processing::project_out(m_basis, m_areas, std::move(v));
+}
 
 internal::Constraint_basis internal::Exactness_constraints::basis() const
 {
@@ -55,6 +75,15 @@ internal::Exactness_constraints exactness_constraints(internal::Dirac_system& sy
       [&](const Block<Quaternion<double>>& b) { return system.response(b, tolerance, c.solves); },
       on, system.coefficients(), is_thesis ? Exactness::thesis : Exactness::adjoint);
   return c;
+}
+
+double internal::Period_limit::operator()(const Spin_report& report) const
+{
+  if (maximum) return *maximum;
+  const double share_of_distortion = 0.25, rounding = 1e-10, least = 0.002, greatest = 0.02;
+  const double distortion = report.conformality.quasi_conformal.mean - 1;
+  const double closed = (std::max)({share_of_distortion * distortion, tolerance, rounding, least});
+  return (std::min)(closed, greatest);
 }
 
 }  // namespace Conformal_geometry_processing

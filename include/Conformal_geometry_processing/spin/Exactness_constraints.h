@@ -1,18 +1,51 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #pragma once
 
+#include <Conformal_geometry_processing/algebra/Quaternion.h>
+#include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
 #include <Conformal_geometry_processing/forms/exactness_functions.h>
+#include <Conformal_geometry_processing/linear_algebra/dense/weighted_orthonormalization.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Grounded_solver.h>
-#include <Conformal_geometry_processing/spin/Constraint_basis.h>
 #include <Conformal_geometry_processing/spin/Dirac_system.h>
+#include <Conformal_geometry_processing/spin/Spin_report.h>
 
 #include <Eigen/Core>
 
+#include <cmath>
 #include <optional>
 
 namespace Conformal_geometry_processing {
-
 namespace internal {
+
+/// \ingroup PkgSpin
+/// \brief an orthonormal basis of the functions on the vertices that a direction must be orthogonal
+/// to, with the inner product sum_i M_V,i a_i b_i [CGP 6.4.4].
+///
+/// Functions are added in groups, such as the constants, the components of the normals, or the
+/// functions that keep a torus closed. Each group is orthonormalised separately before it is added,
+/// so the groups may differ in scale. Functions that depend linearly on earlier groups are dropped.
+class Constraint_basis {
+ public:
+  /// \param areas M_V, |V| positive numbers
+  explicit Constraint_basis(Eigen::VectorXd areas);
+
+  /// \param functions |V| x k, one per column
+  /// \throw Precondition_error if the number of rows is not |V|, or a value is not finite
+  void add(Eigen::MatrixXd functions);
+
+  /// the number of independent constraints
+  Eigen::Index rank() const { return m_basis.cols(); }
+
+  /// v without its component in the span of the constraints
+  Eigen::VectorXd project_out(Eigen::VectorXd v) const;
+
+  /// the norm sqrt(sum_i M_V,i v_i^2)
+  double norm(const Eigen::VectorXd& v) const { return std::sqrt(m_areas.dot(v.cwiseAbs2())); }
+
+ private:
+  Eigen::VectorXd m_areas;  // |V|
+  Eigen::MatrixXd m_basis;  // |V| x rank
+};
 
 /// \ingroup PkgSpin
 /// \brief the functions that rho must be orthogonal to on a surface with handles or holes so that
@@ -58,5 +91,25 @@ internal::Exactness_constraints exactness_constraints(internal::Dirac_system& sy
                                                       Eigen::MatrixXd generators,
                                                       Curvature_potential::On on,
                                                       std::optional<Exactness> version);
+
+namespace internal {
+
+/// \brief the largest period defect of a transformation that counts as closed.
+///
+/// A defect shears the surface by about as much. By default it may be a quarter of the distortion
+/// that the step has anyway, mean Q - 1: that is the discretisation error, O(h) and in proportion
+/// to rho, so that the defect neither stops the convergence under refinement nor costs steps that
+/// no one would notice. Never more than 2 % of the edges, because on bad meshes Q is large, nor
+/// less than .2 %, which shears by less than one sees: maps in the plane have hardly any
+/// distortion.
+struct Period_limit {
+  std::optional<double> maximum;  ///< relative to the edges; see above
+  double tolerance = 0;           ///< of the spins: smaller defects are errors of the solver
+
+  /// \param report of the transformation
+  double operator()(const Spin_report& report) const;
+};
+
+}  // namespace internal
 
 }  // namespace Conformal_geometry_processing

@@ -1,7 +1,9 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #pragma once
 
+#include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
 #include <Conformal_geometry_processing/mesh/Surface_ref.h>
+#include <Conformal_geometry_processing/spin/Dirac_system.h>
 #include <Conformal_geometry_processing/spin/Exactness_constraints.h>
 #include <Conformal_geometry_processing/spin/Spin_residual.h>
 
@@ -41,5 +43,36 @@ class Period_residual : public Spin_residual {
   double m_length = 1;  // of the edges
   Eigen::VectorXd m_values;
 };
+
+/// \ingroup PkgSpin
+/// spins whose edges close up around handles and holes
+struct Closed_spins {
+  Quaternion_vector<double> lambda;  ///< |V|
+  Eigen::VectorXd rho;               ///< whose equation they solve, |V|
+  double period_defect = 0;          ///< that is left
+  int solves = 0;
+};
+
+/// \ingroup PkgSpin
+/// \brief changes spins that solve a Dirac equation, and rho, until the edges close up around
+/// handles and holes.
+///
+/// The constraints of `Exactness_constraints` are those of an infinitely small rho, so the periods
+/// of a finite step are of second order. The unknowns here are changes dl of lambda and d of rho
+/// with X dl = -dX(d) lambda, that is (D - rho) dl = d lambda in the sense of least squares, and d
+/// is the smallest one, in the norm of the areas, with which the `Period_residual` vanishes
+/// to first order. A change of lambda alone would take as much off the periods, but open the edges
+/// around vertices by as much.
+///
+/// Iterates with the derivative at the given spins. Stops at the limit, or when a change leaves
+/// more than a quarter of the defect: the step is then too large, or no small rho moves its
+/// periods, as on isothermic surfaces, where one of the functions vanishes.
+///
+/// Factorizes nothing, and costs three solves for each loop, and one for each change.
+/// \param system with the factor of X, or one nearby, as the solution of the equation leaves it
+/// \param rho |V|, in 1/length of the system, with gamma where that is an eigenvalue
+/// \param limit of the period defect
+Closed_spins closed_spins(const Dirac_system& system, const Exactness_constraints& exactness,
+                          Eigen::VectorXd rho, Quaternion_vector<double> lambda, double limit);
 
 }  // namespace Conformal_geometry_processing::internal

@@ -3,7 +3,6 @@
 
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 #include <Conformal_geometry_processing/spin/Poisson_reconstruction.h>
-#include <Conformal_geometry_processing/spin/edge_derivative.h>
 #include <Conformal_geometry_processing/spin/transformed_edges.h>
 
 #include <Eigen/Core>

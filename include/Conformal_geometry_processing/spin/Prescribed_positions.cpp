@@ -5,7 +5,7 @@
 #include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Conformal_geometry_processing/operators/cotan_laplacian.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
-#include <Conformal_geometry_processing/spin/boundary_planes.h>
+#include <Conformal_geometry_processing/spin/Prescribed_directions.h>
 
 #include <Eigen/Core>
 #include <Eigen/LU>

@@ -6,8 +6,8 @@
 #include <Conformal_geometry_processing/spin/Dirac_system.h>
 #include <Conformal_geometry_processing/spin/Relaxed_spins.h>
 #include <Conformal_geometry_processing/spin/Scale_control.h>
-#include <Conformal_geometry_processing/spin/Scale_residual.h>
 #include <Conformal_geometry_processing/spin/Spin_report.h>
+#include <Conformal_geometry_processing/spin/Spin_residual.h>
 
 #include <Eigen/Core>
 

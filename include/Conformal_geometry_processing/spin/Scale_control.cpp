@@ -3,7 +3,7 @@
 
 #include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/measure/distortion.h>
-#include <Conformal_geometry_processing/spin/log_scales.h>
+#include <Conformal_geometry_processing/spin/Spin_residual.h>
 
 #include <Eigen/Core>
 

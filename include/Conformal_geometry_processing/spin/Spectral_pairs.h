@@ -2,10 +2,12 @@
 #pragma once
 
 #include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
+#include <Conformal_geometry_processing/linear_algebra/krylov/krylov_schur.h>
 
 #include <Eigen/Core>
 
-namespace Conformal_geometry_processing::internal {
+namespace Conformal_geometry_processing {
+namespace internal {
 
 /// \ingroup PkgSpin
 /// \brief eigenvectors of A = D - rho - s with their quotients, of a space that contains every
@@ -59,4 +61,49 @@ bool is_window_complete(const Spectral_pairs& pairs, Eigen::Index count);
 /// vectors have displaced may be missing from their energy on, which limits the reach.
 Spectral_pairs resolved_nearest_first(const Spectral_pairs& pairs);
 
-}  // namespace Conformal_geometry_processing::internal
+/// \ingroup PkgSpin
+/// enough for what cuts through a multiple eigenvalue at the end, or a pair of opposite sign
+int first_subspace_size(int count);
+
+/// \ingroup PkgSpin
+/// \brief a larger size, at most doubled and at most `most`, where `size` left eigenvalues out: the
+/// number of eigenvectors of X grows like the energy up to which they are counted (Weyl).
+/// \param pairs those found with `size`
+int next_subspace_size(int size, int most, const Spectral_pairs& pairs, int count);
+
+/// \ingroup PkgSpin
+/// \brief where the search is given up: more eigenvectors are only needed if the discretisation
+/// error far exceeds the distances of the eigenvalues.
+int largest_subspace_size(int count);
+
+/// \ingroup PkgSpin
+/// Eigenvectors of an operator, found as combinations of those of its square
+struct Signed_eigenvectors {
+  Block<Quaternion<double>> vectors;  ///< M-orthonormal
+  Vector<double> residuals;           ///< of the eigenvectors of the square, combined likewise
+  /// every eigenvector of the square whose eigenvalue (that of N x = mu M x) is less, is in the
+  /// span
+  double reach = 0;
+};
+
+}  // namespace internal
+
+/// \ingroup PkgSpin
+/// \brief separates the eigenvectors of an operator K that its square N has mixed because their
+/// eigenvalues differ by the sign only.
+///
+/// The span of *all* eigenvectors of N with eigenvalues below a bound is invariant under K, and
+/// Rayleigh-Ritz of K in it tells the signs. Of a finite number of vectors, the last ones may be
+/// mixtures with vectors that are missing: their images N^-1 K v leave the span by about |v| /
+/// sqrt(mu), those of all others by the discretisation error. They are left out. Only vectors whose
+/// mu differ by less than a factor of two, or whose coupling <v, K w> is too large for an error of
+/// discretisation, are combined: others are not mixed.
+///
+/// Costs one K and one solution for each vector, and some n^2 products of |V| quaternions and n^3.
+/// \param form K, and N^-1
+/// \param square the eigenpairs of M x = theta N x with the n largest theta > 0
+/// \throw Solver_error if an operator returns values that are not finite
+internal::Signed_eigenvectors signed_eigenvectors(const internal::Pencil& form,
+                                                  const internal::Krylov_result& square);
+
+}  // namespace Conformal_geometry_processing

@@ -1,15 +1,33 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #pragma once
 
+#include <Conformal_geometry_processing/linear_algebra/krylov/Eigensolver_result.h>
 #include <Conformal_geometry_processing/measure/Conformality.h>
 #include <Conformal_geometry_processing/measure/Realised_curvature.h>
-#include <Conformal_geometry_processing/spin/Class_snap_report.h>
+#include <Conformal_geometry_processing/measure/distortion.h>
 #include <Conformal_geometry_processing/spin/Dirac_solution.h>
 
 #include <limits>
 #include <optional>
+#include <ostream>
 
 namespace Conformal_geometry_processing {
+namespace internal {
+
+/// \ingroup PkgConformalClass
+/// \brief The numbers that verify `snap_to_conformal_class()`.
+struct [[nodiscard]] Class_snap_report {
+  bool converged = false;
+  int iterations = 0, factorizations = 0;
+  /// changes of log length cross-ratios from the reference, in the end of the positions as written
+  Length_cross_ratio_change initial_length_cross_ratio, length_cross_ratio;
+  double displacement = 0;  ///< root mean square over the vertices, by the diagonal of the mesh
+
+  /// whether the surface is in the class; if not, nothing was written
+  explicit operator bool() const { return converged; }
+};
+
+}  // namespace internal
 
 /// \ingroup PkgSpin
 /// \brief the numbers that verify a spin transformation. The realised change of curvature is rho +
@@ -176,5 +194,22 @@ void add_costs(Spin_report& all, const Spin_report& next);
 /// the worse evidence. What is measured from start to end (conformality, spins, and the closure, of
 /// which only the worst step is known here) is left to the caller.
 void append(Spin_report& all, const Spin_report& next);
+
+/// \relates Spin_report
+/// writes the certificate, one fact per line
+std::ostream& operator<<(std::ostream& out, const Spin_report& r);
+
+/// \ingroup PkgSpin
+/// \brief a model of `SpinVisitor` that does nothing; derive from it to override a function.
+///
+/// Pass it by `parameters::visitor(std::ref(v))`. Its exceptions are propagated and leave the mesh
+/// unchanged.
+struct Spin_visitor {
+  /// called after every iteration of the eigensolver
+  void on_iteration(const Eigensolver_progress&) {}
+
+  /// called after every iteration: false cancels, and nothing is written
+  bool go_further() { return true; }
+};
 
 }  // namespace Conformal_geometry_processing

@@ -1,9 +1,16 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/spin/Spin_residual.h>
 
+#include <Conformal_geometry_processing/mesh/Surface_ref.h>
+#include <Conformal_geometry_processing/operators/mass_matrices.h>
+
 #include <Eigen/Core>
 
-namespace Conformal_geometry_processing::internal {
+#include <cmath>
+#include <utility>
+
+namespace Conformal_geometry_processing {
+namespace internal {
 
 Eigen::VectorXd values_at(const Spin_residual::Spins& lambda, const Spin_residuals& residuals)
 {
@@ -39,4 +46,98 @@ Block<Quaternion<double>> gradients_of(const Spin_residuals& residuals, Eigen::I
   return all;
 }
 
-}  // namespace Conformal_geometry_processing::internal
+Eigen::VectorXd log_scales(const Quaternion_vector<double>& lambda)
+{
+  Eigen::VectorXd u(lambda.size());
+  for (Eigen::Index i = 0; i < u.size(); ++i) u[i] = std::log(squared_norm(lambda[i]));
+  return u;
+}
+
+Eigen::MatrixXd log_scale_change(const Quaternion_vector<double>& lambda,
+                                 const Block<Quaternion<double>>& dlambda)
+{
+  Eigen::MatrixXd du(dlambda.rows(), dlambda.cols());
+  for (Eigen::Index k = 0; k < du.cols(); ++k)
+    for (Eigen::Index i = 0; i < du.rows(); ++i)
+      du(i, k) = 2 * (conjugate(lambda[i]) * dlambda(i, k)).w / squared_norm(lambda[i]);
+  return du;
+}
+
+Block<Quaternion<double>> log_scale_gradient(const Quaternion_vector<double>& lambda,
+                                             const Eigen::MatrixXd& y)
+{
+  Block<Quaternion<double>> q(y.rows(), y.cols());
+  for (Eigen::Index k = 0; k < q.cols(); ++k)
+    for (Eigen::Index i = 0; i < q.rows(); ++i)
+      q(i, k) = (2 * y(i, k) / squared_norm(lambda[i])) * lambda[i];
+  return q;
+}
+
+}  // namespace internal
+
+double nearness_weight(const Surface_ref& surface)
+{
+  const double pi = std::acos(-1.);
+  const double alpha = 10 * mean_edge_length(surface) / (vertex_areas(surface).sum() / pi);
+  return alpha * alpha;
+}
+
+namespace internal {
+
+Eigen::VectorXd Nearness_residual::values() const
+{
+  return change(m_lambda - Spins::Constant(m_lambda.size(), {1, 0, 0, 0}));
+}
+
+Eigen::VectorXd Nearness_residual::change(const Spins& dlambda) const
+{
+  Spins scaled = dlambda;
+  for (Eigen::Index v = 0; v < scaled.size(); ++v) scaled[v] *= std::sqrt(m_masses[v]);
+  return components(scaled).reshaped();
+}
+
+auto Nearness_residual::gradient(const Eigen::VectorXd& y) const -> Spins
+{
+  Spins q(m_masses.size());
+  components(q) = y.reshaped(4, m_masses.size()) * m_masses.cwiseSqrt().asDiagonal();
+  return q;
+}
+
+Scale_residual::Scale_residual(Eigen::VectorXd areas, Eigen::VectorXd wanted,
+                               const Eigen::VectorXd& weights)
+    : m_areas(std::move(areas)), m_masses(m_areas), m_wanted(std::move(wanted))
+{
+  if (weights.size() > 0) m_masses.array() *= weights.array();
+}
+
+void Scale_residual::set_spins(const Spins& lambda)
+{
+  m_lambda = lambda;
+}
+
+Eigen::VectorXd Scale_residual::values() const
+{
+  return weighted(log_scales(m_lambda) - m_wanted);
+}
+
+Eigen::VectorXd Scale_residual::change(const Spins& dlambda) const
+{
+  return weighted(log_scale_change(m_lambda, dlambda));
+}
+
+auto Scale_residual::gradient(const Eigen::VectorXd& y) const -> Spins
+{
+  Eigen::VectorXd z = (m_weight * m_masses).cwiseSqrt().cwiseProduct(y);
+  z -= m_areas * (z.sum() / m_areas.sum());
+  return log_scale_gradient(m_lambda, z);
+}
+
+Eigen::VectorXd Scale_residual::weighted(Eigen::VectorXd u) const
+{
+  u.array() -= m_areas.dot(u) / m_areas.sum();
+  return (m_weight * m_masses).cwiseSqrt().cwiseProduct(u);
+}
+
+}  // namespace internal
+
+}  // namespace Conformal_geometry_processing

@@ -2,12 +2,15 @@
 #pragma once
 
 #include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
+#include <Conformal_geometry_processing/mesh/Surface_ref.h>
 
 #include <Eigen/Core>
 
+#include <utility>
 #include <vector>
 
-namespace Conformal_geometry_processing::internal {
+namespace Conformal_geometry_processing {
+namespace internal {
 
 /// \ingroup PkgSpin
 /// \brief numbers r(lambda) that `Relaxed_spins` make small, or zero: what is wanted of the
@@ -51,4 +54,87 @@ Spin_residuals few_of(const Spin_residuals& residuals);
 /// the gradients of the values with respect to the spins, |V| x number of values
 Block<Quaternion<double>> gradients_of(const Spin_residuals& residuals, Eigen::Index vertices);
 
-}  // namespace Conformal_geometry_processing::internal
+/// \ingroup PkgSpin
+/// \brief u = log |lambda|^2, |V|: the transformation scales lengths by e^u. The gauge adds a
+/// constant.
+Eigen::VectorXd log_scales(const Quaternion_vector<double>& lambda);
+
+/// \ingroup PkgSpin
+/// du = 2 Re(conjugate(lambda) dlambda) / |lambda|^2, |V| x k
+Eigen::MatrixXd log_scale_change(const Quaternion_vector<double>& lambda,
+                                 const Block<Quaternion<double>>& dlambda);
+
+/// \ingroup PkgSpin
+/// the transpose: the gradients q = 2 lambda y / |lambda|^2 of <y, u>, |V| x k
+Block<Quaternion<double>> log_scale_gradient(const Quaternion_vector<double>& lambda,
+                                             const Eigen::MatrixXd& y);
+
+}  // namespace internal
+
+/// \ingroup PkgSpin
+/// \brief the weight alpha^2 of the distance to lambda = 1 for a surface with free boundary, in
+/// 1/area: alpha = 10 h / R^2 with the mean edge length h and the area pi R^2.
+///
+/// If h << alpha R^2 << R, the solution tends to the projection of 1 onto the kernel of D - rho.
+double nearness_weight(const Surface_ref& surface);
+
+namespace internal {
+
+/// \ingroup PkgSpin
+/// \brief the roots of masses times lambda - 1: with a free boundary, where infinitely many spins
+/// solve the equation, those nearest to 1 are wanted (`nearness_weight()`).
+class Nearness_residual : public Spin_residual {
+ public:
+  /// \param masses |V|
+  explicit Nearness_residual(Eigen::VectorXd masses) : m_masses(std::move(masses)) {}
+
+  /// multiplies the masses
+  void scale(double factor) { m_masses *= factor; }
+
+  void set_spins(const Spins& lambda) override { m_lambda = lambda; }
+  Eigen::VectorXd values() const override;
+  Eigen::VectorXd change(const Spins& dlambda) const override;
+  Spins gradient(const Eigen::VectorXd& y) const override;
+  Eigen::VectorXd stiffness() const override { return m_masses; }
+
+ private:
+  Eigen::VectorXd m_masses;
+  Spins m_lambda;
+};
+
+/// \ingroup PkgSpin
+/// \brief the root of w times the areas times the deviation of `log_scales()` from wanted ones.
+///
+/// The mean of the deviation over the whole surface is free, because the total area is kept. Where
+/// weights select a part, the mean over this part is not: it must not grow or shrink as a whole.
+class Scale_residual : public Spin_residual {
+ public:
+  /// \param areas |V|
+  /// \param wanted |V|, logs of factors of lengths
+  /// \param weights |V|, of the areas, not negative; empty: 1
+  Scale_residual(Eigen::VectorXd areas, Eigen::VectorXd wanted,
+                 const Eigen::VectorXd& weights = {});
+
+  /// \param w in 1/area
+  void set_weight(double w) { m_weight = w; }
+
+  void set_spins(const Spins& lambda) override;
+  Eigen::VectorXd values() const override;
+  Eigen::VectorXd change(const Spins& dlambda) const override;
+  Spins gradient(const Eigen::VectorXd& y) const override;
+
+  /// 2 w times the areas: u has the derivative 2 / |lambda| in one of four directions, and none in
+  /// the others
+  Eigen::VectorXd stiffness() const override { return 2 * m_weight * m_masses; }
+
+ private:
+  Eigen::VectorXd weighted(Eigen::VectorXd u) const;
+
+  Eigen::VectorXd m_areas, m_masses, m_wanted;
+  double m_weight = 1;
+  Spins m_lambda;
+};
+
+}  // namespace internal
+
+}  // namespace Conformal_geometry_processing

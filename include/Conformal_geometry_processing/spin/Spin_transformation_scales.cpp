@@ -5,11 +5,9 @@
 #include <Conformal_geometry_processing/linear_algebra/direct/Stopwatch.h>
 #include <Conformal_geometry_processing/operators/dirac_energy.h>
 #include <Conformal_geometry_processing/spin/Exactness_constraints.h>
-#include <Conformal_geometry_processing/spin/Period_limit.h>
 #include <Conformal_geometry_processing/spin/Period_residual.h>
 #include <Conformal_geometry_processing/spin/Relaxed_scales.h>
-#include <Conformal_geometry_processing/spin/closed_spins.h>
-#include <Conformal_geometry_processing/spin/move_to_class.h>
+#include <Conformal_geometry_processing/spin/snap_to_class.h>
 #include <Conformal_geometry_processing/spin/transformed_edges.h>
 #include <Conformal_geometry_processing/threads/Thread_team.h>
 

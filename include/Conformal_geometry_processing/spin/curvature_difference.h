@@ -1,10 +1,14 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #pragma once
 
+#include <Conformal_geometry_processing/linear_algebra/krylov/Eigensolver_result.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 #include <Conformal_geometry_processing/operators/Curvature_potential.h>
+#include <Conformal_geometry_processing/spin/Nearest_spin_transformation.h>
 
 #include <Eigen/Core>
+
+#include <string>
 
 namespace Conformal_geometry_processing {
 
@@ -26,5 +30,43 @@ Curvature_potential curvature_difference(const Mesh_view& mesh, const Points& po
 /// \pre rho has the size for `from`, and areas are positive
 Curvature_potential transferred(const Curvature_potential& rho, const Mesh_view& from,
                                 const Mesh_view& to);
+
+/// \ingroup PkgSpin
+/// \brief the binormals of a surface, turned t times as far as the binormals of one surface turn to
+/// become those of another; 3 x number of boundary vertices. Blends of surfaces with boundary
+/// prescribe them, because any binormals can be realised.
+///
+/// The rotation is expressed in the frame of the boundary vertex, so t = 0 gives the binormals of
+/// `start`, and t = 1 those of `to` if `start` is `from`.
+/// \param from,to,start of the same connectivity; `to` is aligned with `from`
+Points turned_binormals(const Mesh_view& from, const Mesh_view& to, const Mesh_view& start,
+                        double t);
+
+/// \ingroup PkgSpin
+/// \brief the rho that transforms a surface into another one, or into the conformal surface nearest
+/// to it; on vertices or faces, in 1/length of the mesh.
+///
+/// `curvature_difference()` [CGP 4.4, (4.6)] misses the other surface by O(h^2). This function
+/// searches for the rho that arrives, by `Nearest_spin_transformation`, up to a distance that
+/// nobody sees. On surfaces with boundary, transformations by it prescribe the binormals of the
+/// other surface (`turned_binormals()`). Where no result is nearer to the other surface than the
+/// mesh, or none has these binormals, the plain difference is returned; also if the search is
+/// cancelled.
+///
+/// The spins of that search are no eigenvector, so its rho is corrected by the differences of
+/// curvature that a few transformations by it leave.
+///
+/// Costs what these cost: three to ten factorizations, and some hundred solves.
+/// \param positions of the other surface, 3 x |V|
+/// \param distance_tolerance see `Nearest_spin_options`
+/// \param function named in exceptions
+/// \throw Precondition_error as the constructor of `Nearest_spin_transformation` does
+/// \throw Solver_error if a factorization fails
+Curvature_potential nearest_curvature_difference(
+    const Mesh_view& mesh, const Points& positions,
+    double distance_tolerance = Nearest_spin_options().distance_tolerance,
+    const Dirac_options& options = {},
+    const internal::Go_further& go_further = internal::Always_go_further(),
+    const std::string& function = "nearest_curvature_difference");
 
 }  // namespace Conformal_geometry_processing

@@ -1,7 +1,93 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/spin/dirac_pencils.h>
 
-namespace Conformal_geometry_processing::internal {
+#include <Conformal_geometry_processing/exceptions.h>
+#include <Conformal_geometry_processing/linear_algebra/dense/hermitian_eigen_decomposition.h>
+
+#include <Eigen/Core>
+
+namespace Conformal_geometry_processing {
+
+Vector<Quaternion<double>> constant_spins(const internal::Reduced_basis<double>& basis)
+{
+  const int n = basis.rows().size();
+  Block<Quaternion<double>> units(n, 4);
+  for (int i = 0; i < n; ++i)
+    units.row(i) << Quaternion<double>{1, 0, 0, 0}, Quaternion<double>{0, 1, 0, 0},
+        Quaternion<double>{0, 0, 1, 0}, Quaternion<double>{0, 0, 0, 1};
+  const Block<Quaternion<double>> rest = units - basis.project(units);
+  Block<double> defect = Block<double>::Zero(4, 4);
+  for (int i = 0; i < n; ++i)
+    for (int a = 0; a < 4; ++a)
+      for (int b = 0; b < 4; ++b) defect(a, b) += dot(rest(i, a), rest(i, b));
+  const auto eigen = hermitian_eigen_decomposition(defect);
+  const double rounding = 1e-20 * n;
+  const Eigen::Index count = (eigen.values.array() <= rounding).count();
+  Vector<Quaternion<double>> spins(count);
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const Eigen::Vector4d q = eigen.vectors.col(k);
+    spins[k] = {q[0], q[1], q[2], q[3]};
+  }
+  return spins;
+}
+
+void require_on_faces(const Curvature_potential& rho)
+{
+  if (rho.on != Curvature_potential::On::faces)
+    throw Precondition_error("solve_dirac_equation",
+                             "the generalized eigenproblem (5.2) needs rho on faces");
+}
+
+void solve_generalized_dirac(internal::Dirac_system& system, const Curvature_potential& rho,
+                             const Dirac_options& options, internal::Dirac_solution& s,
+                             const internal::Go_further& go_further)
+{
+  const double gamma = dirac_quotient(system.surface(), rho, s.lambda);
+  system.set_preconditioner(rho, s.seconds);
+  ++s.factorizations;
+  const double mu =
+      inner_product(s.lambda, system.matrix() * s.lambda).w / system.squared_norm(s.lambda);
+  if (gamma == 0 || mu <= 0) return;
+  const double guess = gamma / mu;  // 1 / g
+  const auto K = dirac_form(system.surface(), rho);
+  const auto energy = block_operator(system.matrix());
+  const auto form = block_operator(K);
+  // The vector of largest |1/g| and of the sign of gamma is the smallest of the pencil (-+K, X).
+  const auto apply_k = [&](const Block<Quaternion<double>>& x) {
+    return Block<Quaternion<double>>(form(x) * (gamma > 0 ? -1. : 1.));
+  };
+  // Eigenvectors have X > 0; the constants only barely, if rho is tiny.
+  const double positive = 1e-12 * system.unit();
+  const auto apply_x = [&](const Block<Quaternion<double>>& x) {
+    Block<Quaternion<double>> y = energy(x);
+    for (Eigen::Index c = 0; c < x.cols(); ++c)
+      for (Eigen::Index i = 0; i < x.rows(); ++i)
+        y(i, c) += (positive * system.areas()[i]) * x(i, c);
+    return y;
+  };
+  Eigensolver_options eigen;
+  eigen.tolerance = options.tolerance;
+  eigen.max_iterations = options.max_iterations;
+  eigen.scale = std::abs(guess);
+  Block<Quaternion<double>> start(s.lambda.size(), 2);
+  start << s.lambda, system.noise(1, options.random_seed);
+  const Eigensolver_result r =
+      lobpcg(apply_k, apply_x, inverse_operator(system.solver()), start, eigen, go_further);
+  s.iterations += r.iterations;
+  s.solves += 1 + 2 * r.solves;  // the noise, and two columns
+  s.cancelled = r.cancelled;
+  const Quaternion_vector<double> lambda = r.vectors.col(0);
+  const double same_branch = 0.99;
+  if (!r.converged || system.overlap(lambda, s.lambda) < same_branch) return;
+  s.eigenvalue = dirac_quotient(system.surface(), rho, lambda);
+  s.overlap = system.overlap_with_identity(lambda);
+  s.lambda = system.normalized(lambda);
+  s.residual = r.estimates[0];
+  s.is_generalized = true;
+  s.generalized_eigenvalue = (gamma > 0 ? -1 : 1) / r.values[0];
+}
+
+namespace internal {
 
 Block<Quaternion<double>> constants_in_space(const Dirac_system& system)
 {
@@ -80,4 +166,6 @@ Dirac_forms forms_in_space(const Dirac_system& system, const Curvature_potential
   return forms;
 }
 
-}  // namespace Conformal_geometry_processing::internal
+}  // namespace internal
+
+}  // namespace Conformal_geometry_processing

@@ -1,11 +1,12 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #pragma once
 
+#include <Conformal_geometry_processing/algebra/Reduced_basis.h>
 #include <Conformal_geometry_processing/linear_algebra/dense/block_operators.h>
 #include <Conformal_geometry_processing/linear_algebra/krylov/Krylov_space.h>
+#include <Conformal_geometry_processing/linear_algebra/krylov/Lobpcg.h>
 #include <Conformal_geometry_processing/operators/dirac_energy.h>
 #include <Conformal_geometry_processing/spin/Dirac_system.h>
-#include <Conformal_geometry_processing/spin/constant_spins.h>
 
 #include <Eigen/Core>
 
@@ -15,8 +16,42 @@
 /// \file dirac_pencils.h
 /// \brief the Hermitian pencils of D - rho on the space of spins of a `Dirac_system` with potential
 /// rho. They refer to the system and to the excluded constants.
+namespace Conformal_geometry_processing {
 
-namespace Conformal_geometry_processing::internal {
+/// \ingroup PkgSpin
+/// \brief the constant spins that turn the directions at the boundary into the prescribed ones: an
+/// orthonormal basis over the reals of the quaternions q with q = B B^T q, at most four.
+///
+/// Kept directions admit 1 and, if they are all parallel, as the binormals of a cylinder are, the
+/// rotations about them.
+Vector<Quaternion<double>> constant_spins(const internal::Reduced_basis<double>& basis);
+
+/// \ingroup PkgSpin
+/// \throw Precondition_error if rho is on vertices: K of the generalized problem is then not
+/// Hermitian
+void require_on_faces(const Curvature_potential& rho);
+
+/// \ingroup PkgSpin
+/// \brief replaces a solution of the standard problem by that of the generalized one, X lambda = g
+/// K lambda with K = B^H M_F (D - R) [CGP (5.2)], if the latter is reliable.
+///
+/// [CGP] calls the generalized problem more robust, but it loses the wanted vector when gamma is
+/// near zero: with the discretisation error delta^2 = mu - gamma^2 its eigenvalue is g = (gamma^2 +
+/// delta^2) / gamma, and once that exceeds the next one in modulus, another eigenvector is the
+/// smallest. The standard solution is therefore the initial guess and the criterion: the result is
+/// accepted only if it is the smallest, has converged, and is on the same branch.
+///
+/// Solved as K lambda = (1/g) X lambda, whose right-hand side is positive definite.
+/// Costs one factorization more than the standard problem.
+/// \param system of a closed surface
+/// \param s a converged solution of the standard problem; unchanged if the generalized one is
+/// rejected
+/// \pre `require_on_faces(rho)` holds
+void solve_generalized_dirac(internal::Dirac_system& system, const Curvature_potential& rho,
+                             const Dirac_options& options, internal::Dirac_solution& s,
+                             const internal::Go_further& go_further);
+
+namespace internal {
 
 /// the constants in the space of spins, M_V-orthonormal: the kernel of X for rho = 0
 Block<Quaternion<double>> constants_in_space(const Dirac_system& system);
@@ -44,4 +79,6 @@ Pencil pencil_of_form(const Dirac_system& system, const Curvature_potential& rho
 Dirac_forms forms_in_space(const Dirac_system& system, const Curvature_potential& rho,
                            const Block<Quaternion<double>>& v);
 
-}  // namespace Conformal_geometry_processing::internal
+}  // namespace internal
+
+}  // namespace Conformal_geometry_processing

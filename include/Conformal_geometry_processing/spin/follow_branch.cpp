@@ -5,6 +5,7 @@
 #include <Conformal_geometry_processing/threads/Thread_team.h>
 
 #include <Eigen/Core>
+
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -6,9 +6,9 @@
 #include <Conformal_geometry_processing/operators/dirac_energy.h>
 #include <Conformal_geometry_processing/spin/Dirac_branch.h>
 #include <Conformal_geometry_processing/spin/Dirac_system.h>
-#include <Conformal_geometry_processing/spin/Directions_search.h>
-#include <Conformal_geometry_processing/spin/generalized_dirac.h>
-#include <Conformal_geometry_processing/spin/nearness_weight.h>
+#include <Conformal_geometry_processing/spin/Directions_selection.h>
+#include <Conformal_geometry_processing/spin/Spin_residual.h>
+#include <Conformal_geometry_processing/spin/dirac_pencils.h>
 
 #include <Eigen/Core>
 
@@ -71,7 +71,7 @@ internal::Dirac_solution solve_dirac_equation(internal::Dirac_system& system,
   s.factorizations = 1;
   if (system.directions()) {
     system.set_potential(rho, s.seconds);
-    internal::Directions_search(system, rho, options).solve(s, go_further);
+    internal::Directions_selection(system, rho, options).solve(s, go_further);
     return s;
   }
   if (system.positions())

@@ -3,6 +3,7 @@
 
 #include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
 #include <Conformal_geometry_processing/mesh/Surface_ref.h>
+#include <Conformal_geometry_processing/operators/Curvature_potential.h>
 
 #include <Eigen/Core>
 
@@ -35,6 +36,28 @@ namespace internal {
 double closure_residual(const Surface_ref& surface, const Eigen::VectorXd& weights, const Points& f,
                         const Eigen::MatrixX3d& edges);
 
+/// \ingroup PkgSpin
+/// \brief the change of `transformed_edges()` with lambda, |E| x 3: they are quadratic in it.
+Eigen::MatrixX3d edge_change(const Surface_ref& surface, const Quaternion_vector<double>& lambda,
+                             const Quaternion_vector<double>& dlambda);
+
+/// \ingroup PkgSpin
+/// \brief the transpose: the gradient q of the sum of <y_k, e~_k> over the edges, |V|: its change
+/// is Re <q, dlambda>. \param y |E| x 3
+Quaternion_vector<double> edge_gradient(const Surface_ref& surface,
+                                        const Quaternion_vector<double>& lambda,
+                                        const Eigen::MatrixX3d& y);
+
 }  // namespace internal
+
+/// \ingroup PkgSpin
+/// \brief the rho on faces that minimises (D - rho) mu in each face: Re(conjugate(B mu) D mu) / |B
+/// mu|^2 [CGP 6.3]; in 1/length. Zero where the mean B mu of a face vanishes,
+/// or its area is below a millionth of the mean one.
+///
+/// If mu solves a Dirac equation, the result is rho + gamma of that equation.
+/// \param mu |V|
+Curvature_potential curvature_of_spins(const Surface_ref& surface,
+                                       const Quaternion_vector<double>& mu);
 
 }  // namespace Conformal_geometry_processing

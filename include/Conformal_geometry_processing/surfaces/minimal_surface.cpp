@@ -6,7 +6,7 @@
 #include <Conformal_geometry_processing/mesh/Boundary_frames.h>
 #include <Conformal_geometry_processing/mesh/Surface_ref.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
-#include <Conformal_geometry_processing/spin/boundary_fault.h>
+#include <Conformal_geometry_processing/spin/certify.h>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>

@@ -1,20 +1,19 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-// Tests include/Conformal_geometry_processing/spin/closed_spins.h
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
+#include <Conformal_geometry_processing/spin/Period_residual.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
-#include <Conformal_geometry_processing/spin/closed_spins.h>
 #include <Conformal_geometry_processing/spin/transformed_edges.h>
 
 #include <gtest/gtest.h>
-
-#include <cmath>
-#include <vector>
 
 #include "spin/moebius_images.h"
 #include "support/handlebodies.h"
 #include "support/meshes.h"
 
-namespace cgp_test::closed_spins_tests {
+#include <cmath>
+#include <vector>
+
+namespace cgp_test::period_residual_tests {
 
 namespace CGP = Conformal_geometry_processing;
 using CGP::Curvature_potential;
@@ -214,4 +213,4 @@ TEST(Closed_spins, are_not_looked_for_after_a_step_that_was_cancelled)
   EXPECT_EQ(step.report.period_defect, 0);
 }
 
-}  // namespace cgp_test::closed_spins_tests
+}  // namespace cgp_test::period_residual_tests

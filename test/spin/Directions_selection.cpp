@@ -1,9 +1,8 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-// Tests include/Conformal_geometry_processing/spin/Directions_search.h
 #include <Conformal_geometry_processing/operators/dirac.h>
-#include <Conformal_geometry_processing/spin/Dirac_spectral_problem.h>
-#include <Conformal_geometry_processing/spin/Directions_search.h>
-#include <Conformal_geometry_processing/spin/boundary_fault.h>
+#include <Conformal_geometry_processing/spin/Dirac_spectrum.h>
+#include <Conformal_geometry_processing/spin/Directions_selection.h>
+#include <Conformal_geometry_processing/spin/certify.h>
 #include <Conformal_geometry_processing/spin/solve_dirac_equation.h>
 
 #include <Eigen/Core>
@@ -23,7 +22,7 @@ using Vectors = CGP::Block<Q>;
 using System = CGP::internal::Dirac_system;
 
 /// the equation on a small mesh, and all its eigenpairs by a dense matrix
-class Directions_search : public testing::Test {
+class Directions_selection : public testing::Test {
  protected:
   void SetUp() override
   {
@@ -85,7 +84,7 @@ class Directions_search : public testing::Test {
   {
     CGP::internal::Dirac_solution s;
     system.set_potential(rho, s.seconds);
-    CGP::internal::Directions_search(system, rho, options).solve(s, go_further);
+    CGP::internal::Directions_selection(system, rho, options).solve(s, go_further);
     return s;
   }
 
@@ -107,7 +106,7 @@ class Directions_search : public testing::Test {
   Vectors vectors;         // the first four, of mass one
 };
 
-TEST_F(Directions_search, finds_the_smallest_singular_value)
+TEST_F(Directions_selection, finds_the_smallest_singular_value)
 {
   CGP::Dirac_options options = exactly();
   options.branch = CGP::Dirac_options::Branch::smallest;
@@ -119,7 +118,7 @@ TEST_F(Directions_search, finds_the_smallest_singular_value)
   EXPECT_LT(greatest_difference(s.lambda, normalized(vectors.col(0))), 1e-8);
 }
 
-TEST_F(Directions_search, finds_the_vector_nearest_to_the_guide)
+TEST_F(Directions_selection, finds_the_vector_nearest_to_the_guide)
 {
   int nearest = 0;
   for (int j = 1; j < 4; ++j)
@@ -134,7 +133,7 @@ TEST_F(Directions_search, finds_the_vector_nearest_to_the_guide)
   EXPECT_LT(greatest_difference(s.lambda, normalized(vectors.col(nearest))), 1e-8);
 }
 
-TEST_F(Directions_search, takes_the_nearest_of_eigenvalue_zero_or_the_smallest)
+TEST_F(Directions_selection, takes_the_nearest_of_eigenvalue_zero_or_the_smallest)
 {
   System self_adjoint(mesh, Boundary_condition::binormals());
   CGP::Dirac_options options = exactly(), smallest = exactly();
@@ -154,7 +153,7 @@ TEST_F(Directions_search, takes_the_nearest_of_eigenvalue_zero_or_the_smallest)
   EXPECT_GT(others, 0);
 }
 
-TEST_F(Directions_search, projects_the_guide_on_what_counts_as_kernel)
+TEST_F(Directions_selection, projects_the_guide_on_what_counts_as_kernel)
 {
   CGP::Dirac_options options = exactly();
   options.kernel_tolerance = (values[1] + values[2]) / 2;
@@ -172,14 +171,14 @@ TEST_F(Directions_search, projects_the_guide_on_what_counts_as_kernel)
   EXPECT_NEAR(s.energy, energy / square, 1e-8 * values[1] * values[1]);
 }
 
-TEST_F(Directions_search, is_what_solves_the_equation_with_a_condition_of_directions)
+TEST_F(Directions_selection, is_what_solves_the_equation_with_a_condition_of_directions)
 {
   const CGP::internal::Dirac_solution s = CGP::solve_dirac_equation(system, rho, exactly());
   EXPECT_EQ(s.lambda, solve(exactly()).lambda);
   EXPECT_EQ(s.eigenvalue, solve(exactly()).eigenvalue);
 }
 
-TEST_F(Directions_search, gives_gamma_its_sign_where_it_is_an_eigenvalue)
+TEST_F(Directions_selection, gives_gamma_its_sign_where_it_is_an_eigenvalue)
 {
   System self_adjoint(mesh, Boundary_condition::binormals());
   const CGP::internal::Dirac_solution s = CGP::solve_dirac_equation(self_adjoint, rho, exactly());
@@ -200,7 +199,7 @@ TEST_F(Directions_search, gives_gamma_its_sign_where_it_is_an_eigenvalue)
   EXPECT_LT(s.eigenvalue * other, 0);
 }
 
-TEST(Directions_search_for_binormals, knows_the_distance_to_the_next_eigenvalue_with_its_sign)
+TEST(Directions_selection_for_binormals, knows_the_distance_to_the_next_eigenvalue_with_its_sign)
 {
   const Mesh_view cap = mapped(cap_from_disk(jittered_disk(10, .2), 1.3), [](const auto& p) {
     return Eigen::Vector3d(3 * p.x(), 4 * p.y() + p.x() * p.x(),
@@ -224,7 +223,7 @@ TEST(Directions_search_for_binormals, knows_the_distance_to_the_next_eigenvalue_
   }
 }
 
-TEST_F(Directions_search, answers_to_sources_in_the_space_of_the_condition)
+TEST_F(Directions_selection, answers_to_sources_in_the_space_of_the_condition)
 {
   const Quaternion_vector<double> c = random_quaternions(mesh.size_of_vertices(), 3);
   system.prepare_response();
@@ -238,14 +237,14 @@ TEST_F(Directions_search, answers_to_sources_in_the_space_of_the_condition)
   EXPECT_LT((basis().coordinates(Vectors(image)) - basis().coordinates(Vectors(c))).norm(), 1e-9);
 }
 
-TEST_F(Directions_search, gives_the_same_bits_again)
+TEST_F(Directions_selection, gives_the_same_bits_again)
 {
   CGP::Dirac_options options;
   options.kernel_tolerance = (values[1] + values[2]) / 2;
   EXPECT_EQ(solve(options).lambda, solve(options).lambda);
 }
 
-TEST_F(Directions_search, can_be_cancelled)
+TEST_F(Directions_selection, can_be_cancelled)
 {
   for (int limit = 0; limit < 4; ++limit) {
     int count = 0;
@@ -256,14 +255,14 @@ TEST_F(Directions_search, can_be_cancelled)
   }
 }
 
-TEST_F(Directions_search, says_so_if_it_has_not_converged)
+TEST_F(Directions_selection, says_so_if_it_has_not_converged)
 {
   CGP::Dirac_options options = exactly();
   options.max_iterations = 1;
   EXPECT_FALSE(solve(options).converged);
 }
 
-TEST_F(Directions_search, tells_the_same_error_in_all_units_of_length)
+TEST_F(Directions_selection, tells_the_same_error_in_all_units_of_length)
 {
   const Mesh_view large = scaled(mesh, 1024);
   System of_large(large, tangents);
@@ -276,7 +275,7 @@ TEST_F(Directions_search, tells_the_same_error_in_all_units_of_length)
   EXPECT_NEAR(s.residual / residual, 1, 1e-6);
 }
 
-TEST_F(Directions_search, refuses_a_matrix_that_is_not_finite)
+TEST_F(Directions_selection, refuses_a_matrix_that_is_not_finite)
 {
   Curvature_potential broken = rho;
   broken.values[3] = std::numeric_limits<double>::quiet_NaN();

@@ -17,7 +17,7 @@ namespace Conformal_geometry_processing::internal {
 ///
 /// The space is real, so eigenvalues are in general simple and not fourfold. Each `solve()` costs
 /// one factorization, and one solve for each iteration and column.
-class Directions_search {
+class Directions_selection {
   using Vectors = Block<Quaternion<double>>;
 
  public:
@@ -27,8 +27,8 @@ class Directions_search {
 
   /// \param system has prescribed directions; must outlive the object
   /// \param rho must outlive the object
-  Directions_search(Dirac_system& system, const Curvature_potential& rho,
-                    const Dirac_options& options);
+  Directions_selection(Dirac_system& system, const Curvature_potential& rho,
+                       const Dirac_options& options);
 
   /// \param[in,out] s receives the solution
   /// \pre `set_potential(rho)` has been called

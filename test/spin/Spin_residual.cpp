@@ -1,14 +1,13 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-// Tests include/Conformal_geometry_processing/spin/Scale_residual.h
-#include <Conformal_geometry_processing/spin/Scale_residual.h>
+#include <Conformal_geometry_processing/spin/Spin_residual.h>
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "support/random.h"
 
-namespace cgp_test::scale_residual_tests {
+#include <cmath>
+
+namespace cgp_test::spin_residual_tests {
 
 using Conformal_geometry_processing::internal::Scale_residual;
 
@@ -88,4 +87,4 @@ TEST(Scale_residual, changes_by_its_derivative_and_has_its_transpose)
               1e-12 * y.norm() * change.norm());
 }
 
-}  // namespace cgp_test::scale_residual_tests
+}  // namespace cgp_test::spin_residual_tests

@@ -1,11 +1,11 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-#include <Conformal_geometry_processing/spin/Directions_search.h>
+#include <Conformal_geometry_processing/spin/Directions_selection.h>
 
 #include <Conformal_geometry_processing/linear_algebra/direct/Stopwatch.h>
 #include <Conformal_geometry_processing/linear_algebra/reduced/Reduced_hermitian_solver.h>
 #include <Conformal_geometry_processing/operators/dirac_energy.h>
 #include <Conformal_geometry_processing/spin/Dirac_system.h>
-#include <Conformal_geometry_processing/spin/boundary_fault.h>
+#include <Conformal_geometry_processing/spin/certify.h>
 
 #include <algorithm>
 #include <cmath>
@@ -16,8 +16,8 @@
 
 namespace Conformal_geometry_processing::internal {
 
-Directions_search::Directions_search(Dirac_system& system, const Curvature_potential& rho,
-                                     const Dirac_options& options)
+Directions_selection::Directions_selection(Dirac_system& system, const Curvature_potential& rho,
+                                           const Dirac_options& options)
     : m_system(system), m_rho(rho), m_options(options)
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -27,7 +27,7 @@ Directions_search::Directions_search(Dirac_system& system, const Curvature_poten
   m_greatest_eigenvalue = is_any || !is_eigenvalue ? infinity : greatest_zero(system.surface());
 }
 
-void Directions_search::solve(Dirac_solution& s, const Go_further& go_further)
+void Directions_selection::solve(Dirac_solution& s, const Go_further& go_further)
 {
   Stopwatch watch;
   take(nearest_to_guide(s, go_further), s);
@@ -36,8 +36,8 @@ void Directions_search::solve(Dirac_solution& s, const Go_further& go_further)
   s.seconds.eigenvectors += watch.lap();
 }
 
-Eigensolver_result Directions_search::nearest_to_guide(Dirac_solution& s,
-                                                       const Go_further& go_further) const
+Eigensolver_result Directions_selection::nearest_to_guide(Dirac_solution& s,
+                                                          const Go_further& go_further) const
 {
   // The guide may be an eigenvector itself, which gives no information about others.
   const bool is_one_enough =
@@ -54,9 +54,9 @@ Eigensolver_result Directions_search::nearest_to_guide(Dirac_solution& s,
   return smallest(r.vectors, wanted(r), m_options.tolerance, s, go_further);
 }
 
-Eigensolver_result Directions_search::smallest(Vectors start, int wanted, double tolerance,
-                                               Dirac_solution& s,
-                                               const Go_further& go_further) const
+Eigensolver_result Directions_selection::smallest(Vectors start, int wanted, double tolerance,
+                                                  Dirac_solution& s,
+                                                  const Go_further& go_further) const
 {
   Eigensolver_options o;
   o.wanted = wanted;
@@ -74,24 +74,24 @@ Eigensolver_result Directions_search::smallest(Vectors start, int wanted, double
   return r;
 }
 
-auto Directions_search::with_noise(const Vectors& first, int columns) const -> Vectors
+auto Directions_selection::with_noise(const Vectors& first, int columns) const -> Vectors
 {
   Vectors all(first.rows(), columns);
   all << first, m_system.noise(columns - first.cols(), m_options.random_seed);
   return all;
 }
 
-int Directions_search::wanted(const Eigensolver_result& r) const
+int Directions_selection::wanted(const Eigensolver_result& r) const
 {
   return (std::max)(column(r), size_of_kernel(r) - 1) + 1;
 }
 
-double Directions_search::singular_value(const Eigensolver_result& r, int c)
+double Directions_selection::singular_value(const Eigensolver_result& r, int c)
 {
   return std::sqrt((std::max)(r.values[c], 0.));
 }
 
-bool Directions_search::is_solution(const Eigensolver_result& r, int c) const
+bool Directions_selection::is_solution(const Eigensolver_result& r, int c) const
 {
   if (singular_value(r, c) > m_greatest_value) return false;
   if (std::isinf(m_greatest_eigenvalue)) return true;
@@ -99,7 +99,7 @@ bool Directions_search::is_solution(const Eigensolver_result& r, int c) const
   return std::abs(dirac_quotient(m_system.surface(), m_rho, lambda)) <= m_greatest_eigenvalue;
 }
 
-int Directions_search::column(const Eigensolver_result& r) const
+int Directions_selection::column(const Eigensolver_result& r) const
 {
   using Branch = Dirac_options::Branch;
   if (m_options.branch == Branch::smallest) return 0;
@@ -114,14 +114,14 @@ int Directions_search::column(const Eigensolver_result& r) const
                            [&](int a, int b) { return overlap(a) < overlap(b); });
 }
 
-int Directions_search::size_of_kernel(const Eigensolver_result& r) const
+int Directions_selection::size_of_kernel(const Eigensolver_result& r) const
 {
   int size = 0;
   while (size < r.values.size() && singular_value(r, size) <= m_options.kernel_tolerance) ++size;
   return size;
 }
 
-double Directions_search::gap(const Eigensolver_result& r, int first, int end) const
+double Directions_selection::gap(const Eigensolver_result& r, int first, int end) const
 {
   const auto value = [&](int c) {
     return m_system.is_self_adjoint() ? dirac_quotient(m_system.surface(), m_rho,
@@ -136,7 +136,7 @@ double Directions_search::gap(const Eigensolver_result& r, int first, int end) c
   return std::isfinite(least) ? least : 0;
 }
 
-void Directions_search::take(const Eigensolver_result& r, Dirac_solution& s) const
+void Directions_selection::take(const Eigensolver_result& r, Dirac_solution& s) const
 {
   const int nearest = column(r), kernel = size_of_kernel(r);
   s.lambda = r.vectors.col(nearest);

@@ -1,18 +1,16 @@
+// Tests spin/Spin_report.h
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-// Tests spin/move_to_class.h
-// Tests spin/snap_to_class.h
-// Tests spin/Class_snap_report.h
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
 
 #include <gtest/gtest.h>
-
-#include <cmath>
 
 #include "support/meshes.h"
 #include "support/random.h"
 #include "support/tori.h"
 
-namespace cgp_test::move_to_class_tests {
+#include <cmath>
+
+namespace cgp_test::snap_to_class_tests {
 
 namespace CGP = Conformal_geometry_processing;
 
@@ -160,4 +158,4 @@ TEST(Move_to_class, faults_where_it_is_not_reached)
   EXPECT_EQ(report.fault(), CGP::Spin_report::Fault::exact_class);
 }
 
-}  // namespace cgp_test::move_to_class_tests
+}  // namespace cgp_test::snap_to_class_tests
