@@ -1,6 +1,6 @@
 # Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 # The targets users link, all in the namespace Conformal_geometry_processing::
-#   linear_algebra        compiled; threads/, algebra/, linear_algebra/: needs Eigen only
+#   linear_algebra        compiled; include/Quaternionic_linear_algebra: needs Eigen only
 #   kernels               compiled; the geometry, on flat arrays: needs Eigen only
 #   core                  the headers that take CGAL's meshes
 #   cholmod metis slepc   the headers over one more library each
@@ -20,24 +20,24 @@ if(NOT (CGP_HAS_CGAL OR CGP_KERNELS_ONLY) OR NOT CGP_HAS_EIGEN OR Eigen3_VERSION
                       " on Debian: apt-get install libcgal-dev libeigen3-dev")
 endif()
 
-set(CGP_INCLUDE ${PROJECT_SOURCE_DIR}/include/Conformal_geometry_processing)
+set(CGP_INCLUDE ${PROJECT_SOURCE_DIR}/include)
 file(GLOB_RECURSE CGP_FILES CONFIGURE_DEPENDS ${CGP_INCLUDE}/*.h ${CGP_INCLUDE}/*.cpp)
 
-# The headers and sources whose path below the library's folder matches: cgp_files(<variable> <regex>).
+# The headers and sources whose path below include/ matches: cgp_files(<variable> <regex>).
 function(cgp_files variable regex)
   set(files ${CGP_FILES})
   list(FILTER files INCLUDE REGEX "^${CGP_INCLUDE}/${regex}")
   set(${variable} ${files} PARENT_SCOPE)
 endfunction()
 
-cgp_files(CGP_CHOLMOD_FILES "linear_algebra/adapters/Cholmod_")
-cgp_files(CGP_METIS_FILES "linear_algebra/adapters/Metis_")
-cgp_files(CGP_SLEPC_FILES "linear_algebra/adapters/(Petsc|Slepc)_")
-cgp_files(CGP_LINEAR_ALGEBRA_FILES "(threads/|algebra/|linear_algebra/|config|exceptions|version)")
+cgp_files(CGP_CHOLMOD_FILES "Quaternionic_linear_algebra/adapters/Cholmod_")
+cgp_files(CGP_METIS_FILES "Quaternionic_linear_algebra/adapters/Metis_")
+cgp_files(CGP_SLEPC_FILES "Quaternionic_linear_algebra/adapters/(Petsc|Slepc)_")
+cgp_files(CGP_LINEAR_ALGEBRA_FILES "(Quaternionic_linear_algebra/|Conformal_geometry_processing/version)")
 list(REMOVE_ITEM CGP_LINEAR_ALGEBRA_FILES ${CGP_CHOLMOD_FILES} ${CGP_METIS_FILES} ${CGP_SLEPC_FILES})
 cgp_files(CGP_KERNELS_FILES
-          "(mesh|operators|conformal_class|forms|measure|painting|spin|flow|parameterization|surfaces|curves)/")
-cgp_files(CGP_CORE_FILES "(core/|[^/]*$)")
+          "Conformal_geometry_processing/(mesh|operators|conformal_class|forms|measure|painting|spin|flow|parameterization|surfaces|curves)/")
+cgp_files(CGP_CORE_FILES "Conformal_geometry_processing/(core/|[^/]*$)")
 list(REMOVE_ITEM CGP_CORE_FILES ${CGP_LINEAR_ALGEBRA_FILES})
 
 # A program with some commands only needs a part of its own sources and of the compiled libraries:

@@ -26,7 +26,7 @@ function(cgp_add_vector_units target)
   foreach(unit Avx2_unit Avx512_unit)
     set(source ${PROJECT_BINARY_DIR}/${unit}.cpp)
     file(CONFIGURE OUTPUT ${source} @ONLY CONTENT "#define CGP_VECTOR_UNIT ${unit}
-#include <Conformal_geometry_processing/linear_algebra/vector_units/compiled_kernels.cpp>
+#include <Quaternionic_linear_algebra/vector_units/compiled_kernels.cpp>
 ")
     set_source_files_properties(${source} PROPERTIES COMPILE_OPTIONS "${CGP_FLAGS_OF_${unit}}"
                                 SKIP_PRECOMPILE_HEADERS ON SKIP_UNITY_BUILD_INCLUSION ON)

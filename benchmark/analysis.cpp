@@ -1,5 +1,5 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-#include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
+#include <Quaternionic_linear_algebra/algebra/Quaternion_vector.h>
 
 #include <optional>
 

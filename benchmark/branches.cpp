@@ -4,9 +4,9 @@
 // amplitude.
 //
 // usage: benchmark_branches NAME.off ...
-#include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Conformal_geometry_processing/spin/solve_dirac_equation.h>
+#include <Quaternionic_linear_algebra/exceptions.h>
 
 #include <cmath>
 #include <cstdio>

@@ -1,10 +1,10 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-#include <Conformal_geometry_processing/linear_algebra/direct/sweep_nested_dissection.h>
-#include <Conformal_geometry_processing/linear_algebra/reduced/Real_reduced_solver.h>
-#include <Conformal_geometry_processing/linear_algebra/reduced/Schur_reduced_solver.h>
+#include <Quaternionic_linear_algebra/direct/sweep_nested_dissection.h>
+#include <Quaternionic_linear_algebra/reduced/Real_reduced_solver.h>
+#include <Quaternionic_linear_algebra/reduced/Schur_reduced_solver.h>
 
 #ifdef CONFORMAL_GEOMETRY_PROCESSING_USE_CHOLMOD
-#include <Conformal_geometry_processing/linear_algebra/adapters/Cholmod_hermitian_solver_traits.h>
+#include <Quaternionic_linear_algebra/adapters/Cholmod_hermitian_solver_traits.h>
 #endif
 
 #include <benchmark/benchmark.h>
@@ -13,7 +13,7 @@
 #include <ctime>
 #include <limits>
 
-#include "linear_algebra/reduced_problem.h"
+#include "quaternionic_linear_algebra/reduced_problem.h"
 
 /// Reduced systems of disks with random planes at the boundary; the argument is the number of rings
 /// of the disk, which has 3 n^2 vertices and 6 n of them on its boundary. The second argument

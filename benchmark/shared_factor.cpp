@@ -4,10 +4,10 @@
 // and amplitude, the iterations that either takes with its own factor and with the other one.
 //
 // usage: benchmark_shared_factor NAME.off ...
-#include <Conformal_geometry_processing/linear_algebra/dense/block_operators.h>
-#include <Conformal_geometry_processing/linear_algebra/krylov/Lobpcg.h>
-#include <Conformal_geometry_processing/linear_algebra/krylov/conjugate_gradients.h>
 #include <Conformal_geometry_processing/spin/solve_dirac_equation.h>
+#include <Quaternionic_linear_algebra/dense/block_operators.h>
+#include <Quaternionic_linear_algebra/krylov/Lobpcg.h>
+#include <Quaternionic_linear_algebra/krylov/conjugate_gradients.h>
 
 #include <cmath>
 #include <cstdio>

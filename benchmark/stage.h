@@ -1,8 +1,8 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #pragma once
 
-#include <Conformal_geometry_processing/linear_algebra/direct/Default_solver_traits.h>
 #include <Conformal_geometry_processing/operators/Curvature_potential.h>
+#include <Quaternionic_linear_algebra/direct/Default_solver_traits.h>
 
 #include <benchmark/benchmark.h>
 

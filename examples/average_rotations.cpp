@@ -9,9 +9,9 @@
 //
 // Unit quaternions q_i with q_i = r_ij q_j make the sum of |q_i - r_ij q_j|^2 zero. Measured r_ij
 // do not fit together; the smallest eigenvector of that sum's Hermitian matrix comes nearest.
-#include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
-#include <Conformal_geometry_processing/linear_algebra/direct_solvers.h>
-#include <Conformal_geometry_processing/linear_algebra/eigensolvers.h>
+#include <Quaternionic_linear_algebra/algebra/Quaternion_vector.h>
+#include <Quaternionic_linear_algebra/direct_solvers.h>
+#include <Quaternionic_linear_algebra/eigensolvers.h>
 
 #include <algorithm>
 #include <cmath>

@@ -30,7 +30,7 @@ foreach(library IN LISTS libraries)
   endforeach()
   target_compile_options(two_targets.${library}.avx2 PRIVATE -mavx2 -mfma)
   target_compile_definitions(two_targets.${library}.baseline PRIVATE CGP_MAIN)
-  target_sources(two_targets.${library}.baseline PRIVATE linear_algebra/hermitian_matrices.cpp)
+  target_sources(two_targets.${library}.baseline PRIVATE quaternionic_linear_algebra/hermitian_matrices.cpp)
   add_executable(two_targets.${library} $<TARGET_OBJECTS:two_targets.${library}.baseline>
                                         $<TARGET_OBJECTS:two_targets.${library}.avx2>)
   target_link_libraries(two_targets.${library} PRIVATE cgp_${library})

@@ -1,12 +1,12 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/core/Graph_view.h>
 #include <Conformal_geometry_processing/core/named_parameters.h>
-#include <Conformal_geometry_processing/linear_algebra/direct/Ordering.h>
-#include <Conformal_geometry_processing/linear_algebra/direct/Supernodal_cholesky.h>
 #include <Conformal_geometry_processing/mesh/normals.h>
 #include <Conformal_geometry_processing/mesh/topology.h>
 #include <Conformal_geometry_processing/operators/vertex_graph.h>
 #include <Conformal_geometry_processing/parameterization/conformal_energy.h>
+#include <Quaternionic_linear_algebra/direct/Ordering.h>
+#include <Quaternionic_linear_algebra/direct/Supernodal_cholesky.h>
 
 #include <Eigen/Eigenvalues>
 

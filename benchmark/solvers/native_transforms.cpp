@@ -1,5 +1,5 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-#include <Conformal_geometry_processing/linear_algebra/krylov/inverse_power_method.h>
+#include <Quaternionic_linear_algebra/krylov/inverse_power_method.h>
 
 #include "support/Double_solver_traits.h"
 #include "transforms.h"

@@ -1,5 +1,5 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-#include <Conformal_geometry_processing/linear_algebra/adapters/Cholmod_hermitian_solver_traits.h>
+#include <Quaternionic_linear_algebra/adapters/Cholmod_hermitian_solver_traits.h>
 
 #include "support/thesis_recipe.h"
 #include "transforms.h"

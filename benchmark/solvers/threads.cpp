@@ -1,6 +1,6 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-#include <Conformal_geometry_processing/linear_algebra/direct/Supernodal_cholesky.h>
-#include <Conformal_geometry_processing/threads/Thread_team.h>
+#include <Quaternionic_linear_algebra/direct/Supernodal_cholesky.h>
+#include <Quaternionic_linear_algebra/threads/Thread_team.h>
 
 #include <string>
 

@@ -22,11 +22,11 @@ using namespace Conformal_geometry_processing;
 /// Each map is a model of `ReadWritePropertyMap`, may be used longer than the traits, but not
 /// longer than the mesh, and shares its values with its copies.
 ///
-/// Headers of these types, below `Conformal_geometry_processing/`:
+/// Headers of these types:
 /// - `Conformal_geometry_processing::Conformal_mesh_traits`,
-///   `core/Conformal_mesh_traits.h`
+///   `Conformal_geometry_processing/core/Conformal_mesh_traits.h`
 /// - `Conformal_geometry_processing::Quaternion`,
-///   `algebra/Quaternion.h`
+///   `Quaternionic_linear_algebra/algebra/Quaternion.h`
 ///
 /// \cgalHasModelsBegin
 /// \cgalHasModels{`Conformal_geometry_processing::Conformal_mesh_traits<TriangleMesh>`: dynamic

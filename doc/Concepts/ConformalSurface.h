@@ -16,13 +16,13 @@ using namespace Conformal_geometry_processing;
 /// The free function `boundary_loops(surface)`, found by argument-dependent lookup, returns the
 /// loops of boundary vertices, the surface on their left, or none on a closed surface.
 ///
-/// Headers of these types, below `Conformal_geometry_processing/`:
+/// Headers of these types:
 /// - `Conformal_geometry_processing::Points`,
-///   `mesh/Mesh_view.h`
+///   `Conformal_geometry_processing/mesh/Mesh_view.h`
 /// - `Conformal_geometry_processing::Sheet`,
-///   `mesh/Mesh_view.h`
+///   `Conformal_geometry_processing/mesh/Mesh_view.h`
 /// - `Conformal_geometry_processing::Surface_ref`,
-///   `mesh/Surface_ref.h`
+///   `Conformal_geometry_processing/mesh/Surface_ref.h`
 ///
 /// \cgalHasModelsBegin
 /// \cgalHasModels{`Conformal_geometry_processing::Mesh_view`}

@@ -11,11 +11,11 @@ using namespace Conformal_geometry_processing;
 /// The parameter may be a `Surface_ref` instead, to which a mesh converts: then flows with
 /// mollification take the direction on their triangulation, in its unit of length.
 ///
-/// Headers of these types, below `Conformal_geometry_processing/`:
+/// Headers of these types:
 /// - `Conformal_geometry_processing::Mesh_view`,
-///   `mesh/Mesh_view.h`
+///   `Conformal_geometry_processing/mesh/Mesh_view.h`
 /// - `Conformal_geometry_processing::Surface_ref`,
-///   `mesh/Surface_ref.h`
+///   `Conformal_geometry_processing/mesh/Surface_ref.h`
 ///
 /// \cgalHasModelsBegin
 /// \cgalHasModels{`Conformal_geometry_processing::Willmore_direction`}

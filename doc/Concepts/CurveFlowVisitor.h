@@ -12,11 +12,11 @@ using namespace Conformal_geometry_processing;
 /// written nothing. A model need be neither copied nor moved: it is passed as
 /// `parameters::visitor(std::ref(v))`.
 ///
-/// Headers of these types, below `Conformal_geometry_processing/`:
+/// Headers of these types:
 /// - `Conformal_geometry_processing::Curve_step_report`,
-///   `curves/Curve_flow_report.h`
+///   `Conformal_geometry_processing/curves/Curve_flow_report.h`
 /// - `Conformal_geometry_processing::Isometric_curve_flow`,
-///   `curves/Isometric_curve_flow.h`
+///   `Conformal_geometry_processing/curves/Isometric_curve_flow.h`
 ///
 /// \cgalHasModelsBegin
 /// \cgalHasModels{`Conformal_geometry_processing::Curve_flow_visitor`}

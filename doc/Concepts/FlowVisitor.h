@@ -13,17 +13,17 @@ using namespace Conformal_geometry_processing;
 /// `parameters::visitor(std::ref(v))`. It must not make the flow that it watches go on: that throws
 /// `Precondition_error`, and leaves the flow as it was.
 ///
-/// Headers of these types, below `Conformal_geometry_processing/`:
+/// Headers of these types:
 /// - `Conformal_geometry_processing::Conformal_willmore_flow`,
-///   `flow/Conformal_willmore_flow.h`
+///   `Conformal_geometry_processing/flow/Conformal_willmore_flow.h`
 /// - `Conformal_geometry_processing::Eigensolver_progress`,
-///   `linear_algebra/krylov/Eigensolver_result.h`
+///   `Quaternionic_linear_algebra/krylov/Eigensolver_result.h`
 /// - `Conformal_geometry_processing::Flow_step_report`,
-///   `flow/Flow_report.h`
+///   `Conformal_geometry_processing/flow/Flow_report.h`
 /// - `Conformal_geometry_processing::Mesh_view`,
-///   `mesh/Mesh_view.h`
+///   `Conformal_geometry_processing/mesh/Mesh_view.h`
 /// - `Conformal_geometry_processing::Precondition_error`,
-///   `exceptions.h`
+///   `Quaternionic_linear_algebra/exceptions.h`
 ///
 /// \cgalHasModelsBegin
 /// \cgalHasModels{`Conformal_geometry_processing::Flow_visitor`}

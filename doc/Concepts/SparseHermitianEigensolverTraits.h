@@ -11,21 +11,21 @@ using namespace Conformal_geometry_processing;
 /// Eigenvectors are right ones and defined up to a quaternion on their right; each eigenvalue
 /// counts once. If the iteration does not converge, the result says so; this is not an error.
 ///
-/// Headers of these types, below `Conformal_geometry_processing/`:
+/// Headers of these types:
 /// - `Conformal_geometry_processing::Block`,
-///   `algebra/Quaternion_vector.h`
+///   `Quaternionic_linear_algebra/algebra/Quaternion_vector.h`
 /// - `Conformal_geometry_processing::Eigensolver_options`,
-///   `linear_algebra/krylov/Eigensolver_result.h`
+///   `Quaternionic_linear_algebra/krylov/Eigensolver_result.h`
 /// - `Conformal_geometry_processing::Eigensolver_progress`,
-///   `linear_algebra/krylov/Eigensolver_result.h`
+///   `Quaternionic_linear_algebra/krylov/Eigensolver_result.h`
 /// - `Conformal_geometry_processing::Eigensolver_result`,
-///   `linear_algebra/krylov/Eigensolver_result.h`
+///   `Quaternionic_linear_algebra/krylov/Eigensolver_result.h`
 /// - `Conformal_geometry_processing::Hermitian_sparse_matrix`,
-///   `algebra/Hermitian_sparse_matrix.h`
+///   `Quaternionic_linear_algebra/algebra/Hermitian_sparse_matrix.h`
 /// - `Conformal_geometry_processing::Quaternion`,
-///   `algebra/Quaternion.h`
+///   `Quaternionic_linear_algebra/algebra/Quaternion.h`
 /// - `Conformal_geometry_processing::Vector`,
-///   `algebra/Quaternion_vector.h`
+///   `Quaternionic_linear_algebra/algebra/Quaternion_vector.h`
 ///
 /// \cgalHasModelsBegin
 /// \cgalHasModels{`Conformal_geometry_processing::Lobpcg_eigensolver_traits`, the default;}

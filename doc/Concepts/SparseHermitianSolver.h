@@ -27,23 +27,24 @@ using namespace Conformal_geometry_processing;
 /// gives back the memory of its factor when that is called; its analysis stays.
 ///
 /// `examples/Ldl_solver.h` is a model of 200 lines, with nothing of the library but the headers
-/// below. The test `test/linear_algebra/solver_laws.h` asks of a model all that this page says.
+/// below. The test `test/quaternionic_linear_algebra/solver_laws.h` asks of a model all that this
+/// page says.
 ///
-/// Headers of these types, below `Conformal_geometry_processing/`:
+/// Headers of these types:
 /// - `Conformal_geometry_processing::Block`,
-///   `algebra/Quaternion_vector.h`
+///   `Quaternionic_linear_algebra/algebra/Quaternion_vector.h`
 /// - `Conformal_geometry_processing::Hermitian_sparse_matrix`,
-///   `algebra/Hermitian_sparse_matrix.h`
+///   `Quaternionic_linear_algebra/algebra/Hermitian_sparse_matrix.h`
 /// - `Conformal_geometry_processing::Quaternion`,
-///   `algebra/Quaternion.h`
+///   `Quaternionic_linear_algebra/algebra/Quaternion.h`
 /// - `Conformal_geometry_processing::Solver_statistics`,
-///   `linear_algebra/dense/Solver_status.h`
+///   `Quaternionic_linear_algebra/dense/Solver_status.h`
 /// - `Conformal_geometry_processing::Solver_status`,
-///   `linear_algebra/dense/Solver_status.h`
+///   `Quaternionic_linear_algebra/dense/Solver_status.h`
 /// - `Conformal_geometry_processing::Sparse_pattern`,
-///   `algebra/Hermitian_sparse_matrix.h`
+///   `Quaternionic_linear_algebra/algebra/Hermitian_sparse_matrix.h`
 /// - `Conformal_geometry_processing::Vector`,
-///   `algebra/Quaternion_vector.h`
+///   `Quaternionic_linear_algebra/algebra/Quaternion_vector.h`
 ///
 /// \cgalHasModelsBegin
 /// \cgalHasModels{`Conformal_geometry_processing::Supernodal_cholesky`,}

@@ -7,9 +7,9 @@ using namespace Conformal_geometry_processing;
 ///
 /// \brief one name for the solvers of all scalars: what the named parameter `sparse_solver` takes.
 ///
-/// Headers of these types, below `Conformal_geometry_processing/`:
+/// Headers of these types:
 /// - `Conformal_geometry_processing::Quaternion`,
-///   `algebra/Quaternion.h`
+///   `Quaternionic_linear_algebra/algebra/Quaternion.h`
 ///
 /// \cgalHasModelsBegin
 /// \cgalHasModels{`Conformal_geometry_processing::Supernodal_solver_traits`, the default,}

@@ -12,11 +12,11 @@ using namespace Conformal_geometry_processing;
 /// it is passed as `parameters::visitor(std::ref(v))`. It must not call the object that it watches:
 /// that throws `Precondition_error`, and leaves the object as it was.
 ///
-/// Headers of these types, below `Conformal_geometry_processing/`:
+/// Headers of these types:
 /// - `Conformal_geometry_processing::Eigensolver_progress`,
-///   `linear_algebra/krylov/Eigensolver_result.h`
+///   `Quaternionic_linear_algebra/krylov/Eigensolver_result.h`
 /// - `Conformal_geometry_processing::Precondition_error`,
-///   `exceptions.h`
+///   `Quaternionic_linear_algebra/exceptions.h`
 ///
 /// \cgalHasModelsBegin
 /// \cgalHasModels{`Conformal_geometry_processing::Spin_visitor`}

@@ -16,7 +16,7 @@ add_definitions(-DCGAL_CGP_SOURCE_DIR="${CMAKE_CURRENT_SOURCE_DIR}")
 
 # What the tests share
 file(GLOB shared support/*.cpp)
-list(APPEND shared linear_algebra/hermitian_matrices.cpp spin/boundary_tools.cpp)
+list(APPEND shared quaternionic_linear_algebra/hermitian_matrices.cpp spin/boundary_tools.cpp)
 add_library(test_support STATIC ${shared})
 target_compile_features(test_support PUBLIC cxx_std_17)
 target_link_libraries(test_support PUBLIC CGAL::CGAL CGAL::Eigen3_support Threads::Threads

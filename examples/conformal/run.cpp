@@ -14,7 +14,7 @@
 #include "conformal/report/Report_files.h"
 #include "conformal/report/Session.h"
 
-#include <Conformal_geometry_processing/exceptions.h>
+#include <Quaternionic_linear_algebra/exceptions.h>
 
 #include <fcntl.h>
 #include <unistd.h>

@@ -2,9 +2,9 @@
 // Includes headers of CGAL under the GPL, which then applies to programs that use this header.
 #pragma once
 
-#include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 #include <Conformal_geometry_processing/parameterization/spectral_parameterization.h>
+#include <Quaternionic_linear_algebra/exceptions.h>
 
 #include <CGAL/Default.h>
 #include <CGAL/Kernel/global_functions.h>

@@ -3,8 +3,8 @@
 
 #include <Conformal_geometry_processing/core/Graph_view.h>
 #include <Conformal_geometry_processing/core/named_parameters.h>
-#include <Conformal_geometry_processing/linear_algebra/direct/Solver_ref.h>
 #include <Conformal_geometry_processing/parameterization/spectral_parameterization.h>
+#include <Quaternionic_linear_algebra/direct/Solver_ref.h>
 
 #include <boost/property_map/property_map.hpp>
 

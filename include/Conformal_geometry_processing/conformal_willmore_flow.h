@@ -9,7 +9,7 @@
 #include <Conformal_geometry_processing/core/write_points.h>
 #include <Conformal_geometry_processing/flow/Conformal_willmore_flow.h>
 #include <Conformal_geometry_processing/flow/Flow_report.h>
-#include <Conformal_geometry_processing/linear_algebra/krylov/Eigensolver_ref.h>
+#include <Quaternionic_linear_algebra/krylov/Eigensolver_ref.h>
 
 #include <CGAL/number_utils.h>
 

@@ -1,12 +1,12 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #pragma once
 
-#include <Conformal_geometry_processing/algebra/Moebius_map.h>
 #include <Conformal_geometry_processing/core/Graph_view.h>
 #include <Conformal_geometry_processing/core/geometry_traits.h>
 #include <Conformal_geometry_processing/core/named_parameters.h>
 #include <Conformal_geometry_processing/core/write_points.h>
-#include <Conformal_geometry_processing/exceptions.h>
+#include <Quaternionic_linear_algebra/algebra/Moebius_map.h>
+#include <Quaternionic_linear_algebra/exceptions.h>
 
 #include <CGAL/number_utils.h>
 

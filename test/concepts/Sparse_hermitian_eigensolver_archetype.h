@@ -1,13 +1,13 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #pragma once
 
-#include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
-#include <Conformal_geometry_processing/linear_algebra/dense/hermitian_eigen_decomposition.h>
-#include <Conformal_geometry_processing/linear_algebra/krylov/Eigensolver_result.h>
+#include <Quaternionic_linear_algebra/algebra/Hermitian_sparse_matrix.h>
+#include <Quaternionic_linear_algebra/dense/hermitian_eigen_decomposition.h>
+#include <Quaternionic_linear_algebra/krylov/Eigensolver_result.h>
 
 #include <cmath>
 
-#include "linear_algebra/hermitian_matrices.h"
+#include "quaternionic_linear_algebra/hermitian_matrices.h"
 
 namespace cgp_test {
 

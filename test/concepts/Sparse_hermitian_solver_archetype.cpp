@@ -2,14 +2,14 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include "concepts/Sparse_hermitian_solver_archetype.h"
 
-#include <Conformal_geometry_processing/linear_algebra/direct/Grounded_solver.h>
-#include <Conformal_geometry_processing/linear_algebra/krylov/Lobpcg.h>
-#include <Conformal_geometry_processing/linear_algebra/krylov/inverse_power_method.h>
+#include <Quaternionic_linear_algebra/direct/Grounded_solver.h>
+#include <Quaternionic_linear_algebra/krylov/Lobpcg.h>
+#include <Quaternionic_linear_algebra/krylov/inverse_power_method.h>
 
 #include <gtest/gtest.h>
 
 #include "concepts/Sparse_hermitian_eigensolver_archetype.h"
-#include "linear_algebra/solver_laws.h"
+#include "quaternionic_linear_algebra/solver_laws.h"
 
 namespace cgp_test::sparse_hermitian_solver_archetype_tests {
 

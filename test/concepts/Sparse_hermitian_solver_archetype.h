@@ -1,15 +1,15 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #pragma once
 
-#include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
-#include <Conformal_geometry_processing/linear_algebra/dense/Solver_status.h>
-#include <Conformal_geometry_processing/linear_algebra/direct/Ordering.h>
+#include <Quaternionic_linear_algebra/algebra/Hermitian_sparse_matrix.h>
+#include <Quaternionic_linear_algebra/dense/Solver_status.h>
+#include <Quaternionic_linear_algebra/direct/Ordering.h>
 
 #include <Eigen/Dense>
 
 #include <numeric>
 
-#include "linear_algebra/hermitian_matrices.h"
+#include "quaternionic_linear_algebra/hermitian_matrices.h"
 
 namespace cgp_test {
 

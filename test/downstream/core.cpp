@@ -1,8 +1,8 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 // A user's program over the component core.
-#include <Conformal_geometry_processing/algebra/Quaternion.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 #include <Conformal_geometry_processing/version.h>
+#include <Quaternionic_linear_algebra/algebra/Quaternion.h>
 
 #include <iostream>
 

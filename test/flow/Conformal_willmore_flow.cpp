@@ -6,8 +6,8 @@
 #include <Eigen/Core>
 
 #include "flow_tools.h"
+#include "quaternionic_linear_algebra/threads/threads.h"
 #include "support/decompositions.h"
-#include "threads/threads.h"
 
 #include <cmath>
 #include <limits>

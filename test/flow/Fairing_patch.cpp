@@ -1,8 +1,8 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 // Tests include/Conformal_geometry_processing/flow/Fairing_patch.h
-#include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/flow/Fairing_patch.h>
 #include <Conformal_geometry_processing/mesh/normals.h>
+#include <Quaternionic_linear_algebra/exceptions.h>
 
 #include <gtest/gtest.h>
 

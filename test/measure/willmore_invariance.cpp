@@ -1,7 +1,7 @@
 // Tests include/Conformal_geometry_processing/measure/energies.h, algebra/Moebius_map.h
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-#include <Conformal_geometry_processing/algebra/Moebius_map.h>
 #include <Conformal_geometry_processing/measure/energies.h>
+#include <Quaternionic_linear_algebra/algebra/Moebius_map.h>
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-#include <Conformal_geometry_processing/linear_algebra/dense/Solver_status.h>
 #include <Conformal_geometry_processing/mesh/Mesh_component.h>
+#include <Quaternionic_linear_algebra/dense/Solver_status.h>
 
 #include <gtest/gtest.h>
 

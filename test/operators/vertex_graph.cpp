@@ -1,13 +1,13 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-#include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
 #include <Conformal_geometry_processing/mesh/Delaunay_view.h>
 #include <Conformal_geometry_processing/operators/dirac_energy.h>
 #include <Conformal_geometry_processing/operators/vertex_graph.h>
+#include <Quaternionic_linear_algebra/algebra/Quaternion_vector.h>
 
 #include <gtest/gtest.h>
 
+#include "quaternionic_linear_algebra/threads/threads.h"
 #include "support/meshes.h"
-#include "threads/threads.h"
 
 #include <utility>
 #include <vector>

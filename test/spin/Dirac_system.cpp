@@ -1,7 +1,7 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 // Tests include/Conformal_geometry_processing/spin/Dirac_system.h
-#include <Conformal_geometry_processing/linear_algebra/direct/Supernodal_cholesky.h>
 #include <Conformal_geometry_processing/spin/Dirac_system.h>
+#include <Quaternionic_linear_algebra/direct/Supernodal_cholesky.h>
 
 #include <Eigen/Core>
 

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "linear_algebra/spectral_problem.h"
+#include "quaternionic_linear_algebra/spectral_problem.h"
 
 #include <algorithm>
 #include <cmath>

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <vector>
 
+#include "quaternionic_linear_algebra/threads/threads.h"
 #include "support/dense.h"
 #include "support/meshes.h"
-#include "threads/threads.h"
 
 namespace cgp_test::spin_transformation_invariance_tests {
 

@@ -1,6 +1,6 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-#include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
+#include <Quaternionic_linear_algebra/exceptions.h>
 
 #include <gtest/gtest.h>
 

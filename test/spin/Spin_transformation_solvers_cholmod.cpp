@@ -1,9 +1,9 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 // Tests include/Conformal_geometry_processing/spin/Spin_transformation.h
-#include <Conformal_geometry_processing/linear_algebra/adapters/Cholmod_hermitian_solver_traits.h>
-#include <Conformal_geometry_processing/linear_algebra/adapters/Eigen_hermitian_solver_traits.h>
-#include <Conformal_geometry_processing/linear_algebra/adapters/Supernodal_real_solver_traits.h>
-#include <Conformal_geometry_processing/linear_algebra/krylov/inverse_power_method.h>
+#include <Quaternionic_linear_algebra/adapters/Cholmod_hermitian_solver_traits.h>
+#include <Quaternionic_linear_algebra/adapters/Eigen_hermitian_solver_traits.h>
+#include <Quaternionic_linear_algebra/adapters/Supernodal_real_solver_traits.h>
+#include <Quaternionic_linear_algebra/krylov/inverse_power_method.h>
 
 #include "spin/solver_agreement.h"
 #include "support/Double_solver_traits.h"

@@ -1,11 +1,11 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 // Tests spin/solve_dirac_equation.h
 // Tests spin/Spin_residual.h
-#include <Conformal_geometry_processing/linear_algebra/adapters/Eigen_hermitian_solver_traits.h>
 #include <Conformal_geometry_processing/operators/dirac.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 #include <Conformal_geometry_processing/spin/Spin_residual.h>
 #include <Conformal_geometry_processing/spin/solve_dirac_equation.h>
+#include <Quaternionic_linear_algebra/adapters/Eigen_hermitian_solver_traits.h>
 
 #include "spin/boundary_tools.h"
 #include "spin/solved.h"

@@ -1,7 +1,7 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #pragma once
 
-#include <Conformal_geometry_processing/linear_algebra/direct/Default_solver_traits.h>
+#include <Quaternionic_linear_algebra/direct/Default_solver_traits.h>
 
 #include <type_traits>
 

@@ -33,7 +33,8 @@ def names(package):
     folder = package / "include"
     for header in sorted(folder.rglob("*.h")):
         text = header.read_text(encoding="utf-8")
-        for name in re.findall(r"#include <(\S*Conformal_geometry_processing/\S+)>", text):
+        houses = f"(?:{sources.LIBRARY}|{sources.SOLVERS})"
+        for name in re.findall(rf"#include <(\S*{houses}/\S+)>", text):
             if not (folder / name).exists():
                 yield f"{header.relative_to(package)}: there is no {name}"
         for name in re.findall(r"(?<!CGAL_)\b(?:CGP_|CONFORMAL_GEOMETRY_)\w+", text):

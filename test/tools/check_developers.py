@@ -10,7 +10,7 @@ import check_thesis_map
 import measure_structure
 import sources
 
-BASES = (sources.ROOT, sources.INCLUDE, sources.PROGRAM, sources.ROOT / "examples" / "python",
+BASES = (sources.ROOT, *sources.HOUSES, sources.PROGRAM, sources.ROOT / "examples" / "python",
          sources.ROOT / "examples" / "python" / "src" / "conformal_geometry")
 PLACEHOLDER = re.compile(r"NAME|\bX(_impl)?\.(?:h|cpp)")
 NUMBER = re.compile(r"\d[\d,]*")

@@ -20,7 +20,7 @@ import tempfile
 
 import sources
 
-SKIN = re.compile(r"^core/|^(?!config|exceptions|version)[^/]*$")
+SKIN = re.compile(rf"^{sources.LIBRARY}/(core/|(?!version)[^/]*$)")
 OTHERS = re.compile(r"(Eigen|CGAL|boost)/")
 
 
@@ -37,8 +37,8 @@ def reached(header):
         for _, name in sources.includes(sources.INCLUDE / waiting.pop()):
             if OTHERS.match(name):
                 others.add(name)
-            elif name.startswith(sources.LIBRARY):
-                own = pathlib.Path(name).relative_to(sources.LIBRARY)
+            elif sources.is_ours(name):
+                own = pathlib.Path(name)
                 waiting += {own} - seen
                 seen.add(own)
     return frozenset(others)

@@ -43,11 +43,11 @@ def source():
     """The headers of others first, for they are read without these macros."""
     others = {name for header in kernels(sources.library(".h", ".cpp"))
               for _, name in sources.includes(sources.INCLUDE / header)
-              if not name.startswith(sources.LIBRARY) and not re.match("boost/|CGAL/", name)}
+              if not sources.is_ours(name) and not re.match("boost/|CGAL/", name)}
     # Some are there on one system only.
     lines = [f"#if __has_include(<{name}>)\n#include <{name}>\n#endif" for name in sorted(others)]
     lines.append(MACROS)
-    lines += [f"#include <{sources.LIBRARY}/{header.as_posix()}>"
+    lines += [f"#include <{header.as_posix()}>"
               for header in kernels(sources.headers()) if header.name != header_only.CONFIG]
     return "\n".join(lines) + "\n"
 

@@ -7,15 +7,19 @@ import graphlib
 
 import sources
 
-LEVEL = {
+SOLVERS_LEVEL = {
     "threads": 1,
     "algebra": 2,
-    "linear_algebra": 3, "mesh": 3,
-    "operators": 4,
-    "conformal_class": 5, "forms": 5, "measure": 5, "painting": 5,
-    "spin": 6,
-    "flow": 7, "parameterization": 7, "surfaces": 7, "curves": 7,
-    "core": 8,
+    ".": 3, "adapters": 3, "dense": 3, "direct": 3, "krylov": 3, "multigrid": 3, "reduced": 3, "vector_units": 3,
+}
+LEVEL = {
+    "mesh": 4,
+    "operators": 5,
+    "conformal_class": 6, "forms": 6, "measure": 6, "painting": 6,
+    "spin": 7,
+    "flow": 8, "parameterization": 8, "surfaces": 8, "curves": 8,
+    "core": 9,
+    ".": 10,
 }
 PROGRAM = "conformal"
 PROGRAM_LEVEL = {
@@ -31,14 +35,18 @@ PROGRAM_LEVEL = {
     ".": 10,
 }
 BASE = {"config.h", "exceptions.h", "version.h"}
-ENTRY_POINTS = 9
 
 
 def place(header):
-    """(folder, level); the files at the top are the base, or else the entry points."""
-    if len(header.parts) == 1:
-        return (".", 0) if header.name in BASE else ("entry points", ENTRY_POINTS)
-    folder = header.parts[0]
+    """(folder, level) of a path below include/; the files at the top are the base, or else the entry
+    points, `.`. The solvers are one folder with several inside."""
+    house, *folders, name = header.parts
+    folder = folders[0] if folders else "."
+    if name in BASE and not folders:
+        return "base", 0
+    if house == sources.SOLVERS:
+        level = SOLVERS_LEVEL.get(folder)
+        return (sources.SOLVERS if level == SOLVERS_LEVEL["."] else folder), level
     return folder, LEVEL.get(folder)
 
 
@@ -47,22 +55,26 @@ def program_place(path):
     return folder, PROGRAM_LEVEL.get(folder)
 
 
-def of_file(root, file, prefix, place_of):
-    """The complaints about one file; names in <> or "" begin with the prefix, or are beside it."""
+def own_of_program(name):
+    return name.removeprefix(f"{PROGRAM}/") if name.startswith(f"{PROGRAM}/") else None
+
+
+def of_file(root, file, own, place_of):
+    """The complaints about one file; own(name) is the path below the root of an included name, if it is
+    one of ours."""
     folder, level = place_of(file)
     if level is None:
         yield f"{file}: the folder {folder} has no layer; see check_layers.py"
         return
     for line, name in sources.includes(root / file):
-        first, _, rest = name.partition("/")
-        if first != prefix:
+        if not own(name):
             continue
-        other = sources.pathlib.PurePath(rest)
+        other = sources.pathlib.PurePath(own(name))
         other_folder, other_level = place_of(other)
         if not (root / other).exists():
-            yield f"{file}:{line}: includes {rest}, which does not exist"
+            yield f"{file}:{line}: includes {other}, which does not exist"
         elif other_folder != folder and (other_level is None or other_level >= level):
-            yield (f"{file}:{line}: layer {level} ({folder}) includes {rest} "
+            yield (f"{file}:{line}: layer {level} ({folder}) includes {other} "
                    f"of layer {other_level} ({other_folder})")
 
 
@@ -76,9 +88,9 @@ def program_cycles():
 
 def complaints():
     for file in sources.library(".h", ".cpp"):
-        yield from of_file(sources.INCLUDE, file, sources.LIBRARY, place)
+        yield from of_file(sources.INCLUDE, file, lambda name: name if sources.is_ours(name) else None, place)
     for file in sources.program():
-        yield from of_file(sources.PROGRAM, file, PROGRAM, program_place)
+        yield from of_file(sources.PROGRAM, file, own_of_program, program_place)
     yield from program_cycles()
 
 

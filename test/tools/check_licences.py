@@ -47,7 +47,7 @@ def complaints(compiler, header):
     found = []
     for path in closure(compiler, header):
         if "/suitesparse/" in path:
-            found.append(f"{header}: includes {path}, which is for linear_algebra/adapters/Cholmod_*.h")
+            found.append(f"{header}: includes {path}, which is for adapters/Cholmod_*.h")
         elif "/include/CGAL/" in path and not is_permitted(licence(path)):
             found.append(f"{header}: includes {path}, whose licence is {licence(path)}")
     return found

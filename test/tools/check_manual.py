@@ -78,7 +78,7 @@ def examples():
 
 
 def named_parameters():
-    header = (sources.INCLUDE / "core/named_parameters.h").read_text(encoding="utf-8")
+    header = (sources.INCLUDE / sources.LIBRARY / "core/named_parameters.h").read_text(encoding="utf-8")
     page = check_thesis_map.read("doc/named_parameters.txt")
     for name in re.findall(r"\bX\(([a-z_]+)\)", header):
         if f"`{name}`" not in page:
@@ -109,7 +109,7 @@ def installations():
 
 
 def version():
-    header = (sources.INCLUDE / "version.h").read_text(encoding="utf-8")
+    header = (sources.INCLUDE / sources.LIBRARY / "version.h").read_text(encoding="utf-8")
     version = ".".join(re.findall(r"VERSION_(?:MAJOR|MINOR|PATCH) (\d+)", header))
     if f'VERSION "{version}"' not in header:
         yield "version.h: its text is not its numbers"

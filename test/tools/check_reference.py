@@ -29,12 +29,12 @@ PARAMETER = re.compile(r"\\cgalParamNBegin\{([\w, ]+)\}(.*?)\\cgalParamNEnd")
 DEFAULT = re.compile(r"\\cgalParamDefault\{(.*?)\} *(?=\\|$)|"
                      r"\\cgalParamDescription\{see `(\w+)\(\)`\}")
 ACCEPTED = re.compile(r"only_known_parameters<(.*?)>,?\s*\"", re.DOTALL)
-HEADERS = "Headers of these types, below `Conformal_geometry_processing/`:"
+HEADERS = "Headers of these types:"
 
 
 def names_of_tags():
     """What users write for a tag of CGAL's, as `vertex_point_map` for `vertex_point`."""
-    header = (sources.INCLUDE / "core/named_parameters.h").read_text(encoding="utf-8")
+    header = (sources.INCLUDE / sources.LIBRARY / "core/named_parameters.h").read_text(encoding="utf-8")
     return dict(re.findall(r"\bX\((\w+), (\w+)\)", header))
 
 
@@ -54,7 +54,7 @@ def documented(header):
 def parameters():
     """(header, functions as above, the names that its functions accept) of each entry point."""
     names = names_of_tags()
-    for path in sorted(sources.INCLUDE.glob("*.h")):
+    for path in sorted((sources.INCLUDE / sources.LIBRARY).glob("*.h")):
         text = path.read_text(encoding="utf-8")
         tags = re.findall(r"(?:CGAL::)?internal_np::(\w+)_t\b", "".join(ACCEPTED.findall(text)))
         functions = documented(text)

@@ -32,7 +32,7 @@ def blocks(text):
 
 
 def find(name):
-    return next((base / name for base in (sources.ROOT, sources.INCLUDE)
+    return next((base / name for base in (sources.ROOT, sources.INCLUDE, *sources.HOUSES)
                  if (base / name).exists()), None)
 
 

@@ -19,7 +19,7 @@ import sources
 
 
 def source():
-    return "\n".join(f"#include <{sources.LIBRARY}/{header.as_posix()}>"
+    return "\n".join(f"#include <{header.as_posix()}>"
                      for header in sources.headers()
                      if not check_headers_alone.needs_more(header)
                      and header.name != header_only.CONFIG) + "\n"

@@ -52,7 +52,7 @@ def stacks(folder, *command):
 def counts(stack):
     """The frames of the library, of the program, and all; the rest are those of std."""
     files = FRAME.findall(stack)
-    library = sum(f"/include/{sources.LIBRARY}/" in file for file in files)
+    library = sum("/include/" + sources.LIBRARY in file or "/include/" + sources.SOLVERS in file for file in files)
     program = sum("/examples/" in file for file in files)
     return library, program, len(ANY_FRAME.findall(stack))
 

@@ -41,8 +41,9 @@ def executed(folder):
     for path in folder.glob("*.gcov.json.gz"):
         for file in json.loads(gzip.decompress(path.read_bytes()))["files"]:
             name = pathlib.Path(file["file"])
-            if sources.LIBRARY in name.parts and any(line["count"] for line in file["lines"]):
-                headers.add("/".join(name.parts[name.parts.index(sources.LIBRARY) + 1:]))
+            path = re.search(rf"(?:{sources.LIBRARY}|{sources.SOLVERS})/.*", name.as_posix())
+            if path and any(line["count"] for line in file["lines"]):
+                headers.add(path[0].removeprefix(f"{sources.LIBRARY}/"))
     return headers
 
 

@@ -87,13 +87,13 @@ def print_table(files):
     """One row per folder and one for all; returns the percentage of all."""
     rows = collections.defaultdict(lambda: [0, 0])
     for path, lines in files.items():
-        for name in (path.parts[0] if len(path.parts) > 1 else "(entry points)", "all of it"):
+        for name in (path.parent.as_posix(), "all of it"):
             rows[name][0] += sum(lines.values())
             rows[name][1] += len(lines)
-    print(f"\n{'folder':<20}{'lines':>8}{'run':>8}{'per cent':>10}")
+    print(f"\n{'folder':<50}{'lines':>8}{'run':>8}{'per cent':>10}")
     for name in sorted(rows, key=lambda name: (name == "all of it", name)):
         run, lines = rows[name]
-        print(f"{name:<20}{lines:>8}{run:>8}{100 * run / max(lines, 1):>10.2f}")
+        print(f"{name:<50}{lines:>8}{run:>8}{100 * run / max(lines, 1):>10.2f}")
     run, lines = rows["all of it"]
     return 100 * run / max(lines, 1)
 

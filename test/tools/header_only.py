@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 """The library for programs that link nothing, as CGAL wants it: headers that also define what they
-declare, below FOLDER/Conformal_geometry_processing/.
+declare, below FOLDER.
 
 usage: header_only.py FOLDER
 
@@ -22,7 +22,7 @@ INSTANCES = re.compile(r"^#define CGP_DEFINE\((?:.*\\\n)*.*\n.*\n#undef CGP_DEFI
 EMPTY = re.compile(r"^namespace ([\w:]+) {\n+}  // namespace \1\n+", re.MULTILINE)
 # Programs need not be compiled as the library is.
 CONFIG = "config.h"
-CONFIG_INCLUDED = f"#include <{sources.LIBRARY}/{CONFIG}>\n"
+CONFIG_INCLUDED = f"#include <{sources.SOLVERS}/{CONFIG}>\n"
 
 
 def ends(line):
@@ -50,30 +50,30 @@ def inlined(text):
 
 def guarded(text, path):
     """With a guard of its path; CGAL wants these."""
-    guard = re.sub(r"\W", "_", f"{sources.LIBRARY}/{path.as_posix()}".upper())
+    guard = re.sub(r"\W", "_", path.as_posix().upper())
     opening, body = re.match(r"((?://.*\n)+)(?:#pragma once\n)?((?:.|\n)*)", text).groups()
     return f"{opening}#ifndef {guard}\n#define {guard}\n{body}\n#endif\n"
 
 
 def headers():
-    """(path below the library's folder, text) of each header and each X_impl.h."""
+    """(path below include/, text) of each header and each X_impl.h."""
     at_end = {}
     for source in sources.library(".cpp"):
         text = (sources.INCLUDE / source).read_text(encoding="utf-8")
         path = source.with_name(f"{source.stem}_impl.h")
         first = next(name for _, name in sources.includes(sources.INCLUDE / source))
-        at_end[first] = at_end.get(first, "\n") + f"#include <{sources.LIBRARY}/{path.as_posix()}>\n"
+        at_end[first] = at_end.get(first, "\n") + f"#include <{path.as_posix()}>\n"
         yield path, guarded(inlined(EMPTY.sub("", INSTANCES.sub("", text))), path)
     for header in sources.headers():
         if header.name != CONFIG:
             text = (sources.INCLUDE / header).read_text(encoding="utf-8").replace(CONFIG_INCLUDED, "")
-            yield header, guarded(text + at_end.get(f"{sources.LIBRARY}/{header.as_posix()}", ""), header)
+            yield header, guarded(text + at_end.get(header.as_posix(), ""), header)
 
 
 def write(folder):
     """Files that stay what they are keep their time, so that nothing is compiled again."""
     for path, text in headers():
-        place = folder / sources.LIBRARY / path
+        place = folder / path
         if not place.exists() or place.read_text(encoding="utf-8") != text:
             place.parent.mkdir(parents=True, exist_ok=True)
             place.write_text(text, encoding="utf-8")

@@ -84,9 +84,9 @@ def layers(old, level_of, files_of):
 def library(old):
     def files_of(folder):
         return [sources.INCLUDE / file for file in sources.library(".h", ".cpp")
-                if (file.parts[0] if len(file.parts) > 1 else ".") == folder]
+                if check_layers.place(file)[0] == folder]
 
-    levels = {**check_layers.LEVEL, ".": check_layers.ENTRY_POINTS}
+    levels = {**check_layers.LEVEL, sources.SOLVERS: 3, "algebra": 2, "threads": 1, "base": 0}
     return table_of(["layer", "folder", "contents", "files:", "lines:"], layers(old, levels, files_of))
 
 

@@ -7,23 +7,30 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 LIBRARY = "Conformal_geometry_processing"
-INCLUDE = ROOT / "include" / LIBRARY
+SOLVERS = "Quaternionic_linear_algebra"  # the library below it
+INCLUDE = ROOT / "include"
+HOUSES = (INCLUDE / SOLVERS, INCLUDE / LIBRARY)  # where paths in texts may begin
 PROGRAM = ROOT / "examples" / "conformal"
 FOLDERS = ("include", "test", "examples", "benchmark", "doc")
 
 # The only headers that may reach CGAL's GPL parts: one per mesh type, the method for CGAL's package
 # of parameterizations, and CHOLMOD's.
 GPL_HEADER = re.compile(r"(_Surface_mesh|_Polyhedron_3|_parameterizer_3)\.h$"
-                        r"|^linear_algebra/adapters/Cholmod_[^/]*\.h$")
+                        r"|/adapters/Cholmod_[^/]*\.h$")
 
 # The headers over libraries that may be missing where the checks run, under licences of their own
 # (SLEPc and PETSc: BSD).
-OPTIONAL_HEADER = re.compile(r"^linear_algebra/adapters/(Petsc|Slepc)_[^/]*\.h$")
+OPTIONAL_HEADER = re.compile(r"/adapters/(Petsc|Slepc)_[^/]*\.h$")
 
 
 def library(*suffixes):
-    """The files of the library with one of the suffixes, as paths below include/Conformal_geometry_processing."""
+    """The files of the libraries with one of the suffixes, as paths below include/."""
     return sorted(path.relative_to(INCLUDE) for path in INCLUDE.rglob("*") if path.suffix in suffixes)
+
+
+def is_ours(name):
+    """Whether an included name is one of the libraries'."""
+    return name.startswith((f"{LIBRARY}/", f"{SOLVERS}/"))
 
 
 def headers():

@@ -2,13 +2,13 @@
 // Compiled twice, for different vector units, and linked to one program: what one part has factored
 // the other may solve with, and both compute the same. The compiled library gives the same bits;
 // used header-only, the linker takes the templates of either part, and results are right.
-#include <Conformal_geometry_processing/linear_algebra/direct/Supernodal_cholesky.h>
+#include <Quaternionic_linear_algebra/direct/Supernodal_cholesky.h>
 
 #include <cmath>
 #include <cstdio>
 #include <vector>
 
-#include "linear_algebra/hermitian_matrices.h"
+#include "quaternionic_linear_algebra/hermitian_matrices.h"
 
 #define CGP_JOINED(a, b) a##b
 #define CGP_NAME(unit) CGP_JOINED(solve_, unit)

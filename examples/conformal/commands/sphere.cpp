@@ -7,10 +7,10 @@
 #include "conformal/process/interruption.h"
 #include "conformal/transform/write_result.h"
 
-#include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/measure/energies.h>
 #include <Conformal_geometry_processing/surfaces/dirac_sphere.h>
 #include <Conformal_geometry_processing/surfaces/geodesic_sphere.h>
+#include <Quaternionic_linear_algebra/exceptions.h>
 
 #include <cmath>
 #include <string>

@@ -1,7 +1,7 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include "threads.h"
 
-#include <Conformal_geometry_processing/threads/Thread_team.h>
+#include <Quaternionic_linear_algebra/threads/Thread_team.h>
 
 #include <dlfcn.h>
 

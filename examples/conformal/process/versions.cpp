@@ -1,8 +1,8 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include "versions.h"
 
-#include <Conformal_geometry_processing/linear_algebra/settings.h>
 #include <Conformal_geometry_processing/version.h>
+#include <Quaternionic_linear_algebra/settings.h>
 
 #include <CGAL/version.h>
 #include <Eigen/Core>

@@ -5,7 +5,7 @@
 
 #include "conformal/process/Progress.h"
 
-#include <Conformal_geometry_processing/linear_algebra/direct/Stopwatch.h>
+#include <Quaternionic_linear_algebra/direct/Stopwatch.h>
 
 #include <string>
 #include <vector>

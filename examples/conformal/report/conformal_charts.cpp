@@ -7,9 +7,9 @@
 
 #include "conformal/process/at.h"
 
-#include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/mesh/topology.h>
 #include <Conformal_geometry_processing/parameterization/place_in_plane.h>
+#include <Quaternionic_linear_algebra/exceptions.h>
 
 #include <Eigen/Geometry>
 

@@ -7,9 +7,9 @@
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
 #include <Conformal_geometry_processing/surfaces/minimal_surface.h>
 #ifdef CONFORMAL_HAS_OTHER_SOLVERS
-#include <Conformal_geometry_processing/linear_algebra/adapters/Eigen_hermitian_solver_traits.h>
+#include <Quaternionic_linear_algebra/adapters/Eigen_hermitian_solver_traits.h>
 #ifdef CONFORMAL_GEOMETRY_PROCESSING_USE_CHOLMOD
-#include <Conformal_geometry_processing/linear_algebra/adapters/Cholmod_hermitian_solver_traits.h>
+#include <Quaternionic_linear_algebra/adapters/Cholmod_hermitian_solver_traits.h>
 #endif
 #endif
 

@@ -5,13 +5,13 @@
 
 #include "conformal/process/Common_options.h"
 
-#include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
-#include <Conformal_geometry_processing/linear_algebra/krylov/Eigensolver_result.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 #include <Conformal_geometry_processing/operators/Curvature_potential.h>
 #include <Conformal_geometry_processing/spin/Boundary_condition.h>
 #include <Conformal_geometry_processing/spin/Scale_control.h>
 #include <Conformal_geometry_processing/spin/Spin_report.h>
+#include <Quaternionic_linear_algebra/algebra/Quaternion_vector.h>
+#include <Quaternionic_linear_algebra/krylov/Eigensolver_result.h>
 
 #include <functional>
 #include <string>

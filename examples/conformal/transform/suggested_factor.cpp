@@ -5,7 +5,7 @@
 
 #include "conformal/report/verification.h"
 
-#include <Conformal_geometry_processing/exceptions.h>
+#include <Quaternionic_linear_algebra/exceptions.h>
 
 namespace conformal {
 namespace {

@@ -2,7 +2,6 @@
 #include "binding.h"
 #include "options.h"
 
-#include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
 #include <Conformal_geometry_processing/measure/distortion.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Conformal_geometry_processing/operators/Curvature_potential.h>
@@ -11,6 +10,7 @@
 #include <Conformal_geometry_processing/operators/dirac_energy.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 #include <Conformal_geometry_processing/operators/mean_curvature.h>
+#include <Quaternionic_linear_algebra/algebra/Hermitian_sparse_matrix.h>
 
 #include <vector>
 

@@ -3,10 +3,10 @@
 
 #include "arrays.h"
 
-#include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/forms/exactness_functions.h>
 #include <Conformal_geometry_processing/spin/Spin_report.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
+#include <Quaternionic_linear_algebra/exceptions.h>
 
 #include <pybind11/stl.h>
 

@@ -1,8 +1,8 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #pragma once
 
-#include <Conformal_geometry_processing/exceptions.h>
-#include <Conformal_geometry_processing/linear_algebra/krylov/Eigensolver_result.h>
+#include <Quaternionic_linear_algebra/exceptions.h>
+#include <Quaternionic_linear_algebra/krylov/Eigensolver_result.h>
 
 #include <pybind11/pybind11.h>
 

@@ -1,8 +1,8 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/conformal_class/Conformal_class.h>
 
-#include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/operators/vertex_graph.h>
+#include <Quaternionic_linear_algebra/exceptions.h>
 
 #include <Eigen/Core>
 

@@ -1,9 +1,9 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #pragma once
 
-#include <Conformal_geometry_processing/algebra/Quaternion.h>
 #include <Conformal_geometry_processing/core/geometry_traits.h>
-#include <Conformal_geometry_processing/exceptions.h>
+#include <Quaternionic_linear_algebra/algebra/Quaternion.h>
+#include <Quaternionic_linear_algebra/exceptions.h>
 
 #include <CGAL/Dynamic_property_map.h>
 #include <CGAL/boost/graph/properties.h>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <Conformal_geometry_processing/core/Conformal_mesh_traits.h>
-#include <Conformal_geometry_processing/exceptions.h>
+#include <Quaternionic_linear_algebra/exceptions.h>
 
 #include <CGAL/Surface_mesh.h>
 

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <Conformal_geometry_processing/core/geometry_traits.h>
-#include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/mesh/Mesh_component.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
+#include <Quaternionic_linear_algebra/exceptions.h>
 
 #include <CGAL/Dynamic_property_map.h>
 #include <CGAL/boost/graph/properties.h>

@@ -2,10 +2,10 @@
 #pragma once
 
 #include <Conformal_geometry_processing/core/named_parameters.h>
-#include <Conformal_geometry_processing/linear_algebra/direct/Solver_ref.h>
-#include <Conformal_geometry_processing/linear_algebra/krylov/Eigensolver_ref.h>
-#include <Conformal_geometry_processing/linear_algebra/krylov/Eigensolver_result.h>
 #include <Conformal_geometry_processing/spin/Dirac_solution.h>
+#include <Quaternionic_linear_algebra/direct/Solver_ref.h>
+#include <Quaternionic_linear_algebra/krylov/Eigensolver_ref.h>
+#include <Quaternionic_linear_algebra/krylov/Eigensolver_result.h>
 
 namespace Conformal_geometry_processing::internal {
 

@@ -4,10 +4,10 @@
 #include <Conformal_geometry_processing/core/Graph_view.h>
 #include <Conformal_geometry_processing/core/named_parameters.h>
 #include <Conformal_geometry_processing/core/write_points.h>
-#include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/operators/Curvature_potential.h>
 #include <Conformal_geometry_processing/spin/Control_point.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
+#include <Quaternionic_linear_algebra/exceptions.h>
 
 #include <CGAL/number_utils.h>
 #include <Eigen/Core>

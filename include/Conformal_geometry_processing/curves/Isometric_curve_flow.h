@@ -3,9 +3,9 @@
 
 #include <Conformal_geometry_processing/curves/Curve_flow_report.h>
 #include <Conformal_geometry_processing/curves/polygons.h>
-#include <Conformal_geometry_processing/exceptions.h>
-#include <Conformal_geometry_processing/linear_algebra/direct/Stopwatch.h>
-#include <Conformal_geometry_processing/linear_algebra/krylov/Visit_guard.h>
+#include <Quaternionic_linear_algebra/direct/Stopwatch.h>
+#include <Quaternionic_linear_algebra/exceptions.h>
+#include <Quaternionic_linear_algebra/krylov/Visit_guard.h>
 
 #include <Eigen/Core>
 

@@ -1,8 +1,8 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/flow/Class_fairing.h>
 
-#include <Conformal_geometry_processing/linear_algebra/direct/Ordering.h>
-#include <Conformal_geometry_processing/linear_algebra/direct/choose_ordering.h>
+#include <Quaternionic_linear_algebra/direct/Ordering.h>
+#include <Quaternionic_linear_algebra/direct/choose_ordering.h>
 
 #include <Eigen/Core>
 

@@ -1,10 +1,10 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #pragma once
 
-#include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
 #include <Conformal_geometry_processing/flow/Bending_energy.h>
 #include <Conformal_geometry_processing/flow/Fairing_patch.h>
-#include <Conformal_geometry_processing/linear_algebra/direct/Supernodal_cholesky.h>
+#include <Quaternionic_linear_algebra/algebra/Hermitian_sparse_matrix.h>
+#include <Quaternionic_linear_algebra/direct/Supernodal_cholesky.h>
 
 #include <Eigen/Core>
 

@@ -1,11 +1,11 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #pragma once
 
-#include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
 #include <Conformal_geometry_processing/conformal_class/Conformal_class.h>
-#include <Conformal_geometry_processing/linear_algebra/direct/Supernodal_cholesky.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 #include <Conformal_geometry_processing/spin/Boundary_condition.h>
+#include <Quaternionic_linear_algebra/algebra/Hermitian_sparse_matrix.h>
+#include <Quaternionic_linear_algebra/direct/Supernodal_cholesky.h>
 
 #include <Eigen/Core>
 

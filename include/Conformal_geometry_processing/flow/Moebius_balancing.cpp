@@ -1,9 +1,9 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/flow/Moebius_balancing.h>
 
-#include <Conformal_geometry_processing/algebra/Moebius_map.h>
 #include <Conformal_geometry_processing/forms/Harmonic_basis.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
+#include <Quaternionic_linear_algebra/algebra/Moebius_map.h>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>

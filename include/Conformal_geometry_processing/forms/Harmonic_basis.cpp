@@ -1,8 +1,8 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/forms/Harmonic_basis.h>
 
-#include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/operators/cotan_laplacian.h>
+#include <Quaternionic_linear_algebra/exceptions.h>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>

@@ -1,11 +1,11 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #pragma once
 
-#include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/forms/Harmonic_basis.h>
-#include <Conformal_geometry_processing/linear_algebra/direct/Grounded_solver.h>
-#include <Conformal_geometry_processing/linear_algebra/direct/Solver_ref.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
+#include <Quaternionic_linear_algebra/direct/Grounded_solver.h>
+#include <Quaternionic_linear_algebra/direct/Solver_ref.h>
+#include <Quaternionic_linear_algebra/exceptions.h>
 
 #include <Eigen/Core>
 

@@ -1,9 +1,9 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/measure/alignment.h>
 
-#include <Conformal_geometry_processing/algebra/Quaternion.h>
-#include <Conformal_geometry_processing/linear_algebra/dense/hermitian_eigen_decomposition.h>
 #include <Conformal_geometry_processing/mesh/Normalized_frame.h>
+#include <Quaternionic_linear_algebra/algebra/Quaternion.h>
+#include <Quaternionic_linear_algebra/dense/hermitian_eigen_decomposition.h>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>

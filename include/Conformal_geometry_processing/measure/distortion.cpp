@@ -3,7 +3,7 @@
 
 #include <Conformal_geometry_processing/mesh/normals.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
-#include <Conformal_geometry_processing/threads/Thread_team.h>
+#include <Quaternionic_linear_algebra/threads/Thread_team.h>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>

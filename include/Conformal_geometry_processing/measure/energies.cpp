@@ -1,11 +1,11 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/measure/energies.h>
 
-#include <Conformal_geometry_processing/algebra/Quaternion.h>
-#include <Conformal_geometry_processing/algebra/stable_norm.h>
 #include <Conformal_geometry_processing/mesh/normals.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 #include <Conformal_geometry_processing/operators/mean_curvature.h>
+#include <Quaternionic_linear_algebra/algebra/Quaternion.h>
+#include <Quaternionic_linear_algebra/algebra/stable_norm.h>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>

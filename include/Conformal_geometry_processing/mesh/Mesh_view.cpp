@@ -1,8 +1,8 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 
-#include <Conformal_geometry_processing/algebra/stable_norm.h>
-#include <Conformal_geometry_processing/exceptions.h>
+#include <Quaternionic_linear_algebra/algebra/stable_norm.h>
+#include <Quaternionic_linear_algebra/exceptions.h>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>

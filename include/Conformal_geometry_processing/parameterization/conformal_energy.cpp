@@ -1,10 +1,10 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/parameterization/conformal_energy.h>
 
-#include <Conformal_geometry_processing/algebra/stable_norm.h>
-#include <Conformal_geometry_processing/linear_algebra/direct/Ordering.h>
 #include <Conformal_geometry_processing/operators/cotan_laplacian.h>
 #include <Conformal_geometry_processing/operators/vertex_graph.h>
+#include <Quaternionic_linear_algebra/algebra/stable_norm.h>
+#include <Quaternionic_linear_algebra/direct/Ordering.h>
 
 #include <Eigen/Core>
 

@@ -1,10 +1,6 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #pragma once
 
-#include <Conformal_geometry_processing/exceptions.h>
-#include <Conformal_geometry_processing/linear_algebra/direct/Solver_ref.h>
-#include <Conformal_geometry_processing/linear_algebra/direct/Stopwatch.h>
-#include <Conformal_geometry_processing/linear_algebra/krylov/subspace_iteration.h>
 #include <Conformal_geometry_processing/measure/Conformality.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 #include <Conformal_geometry_processing/mesh/Normalized_frame.h>
@@ -14,6 +10,10 @@
 #include <Conformal_geometry_processing/parameterization/conformal_energy.h>
 #include <Conformal_geometry_processing/parameterization/normalized_boundary.h>
 #include <Conformal_geometry_processing/parameterization/place_in_plane.h>
+#include <Quaternionic_linear_algebra/direct/Solver_ref.h>
+#include <Quaternionic_linear_algebra/direct/Stopwatch.h>
+#include <Quaternionic_linear_algebra/exceptions.h>
+#include <Quaternionic_linear_algebra/krylov/subspace_iteration.h>
 
 #include <Eigen/Core>
 

@@ -1,9 +1,9 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/spin/Boundary_condition.h>
 
-#include <Conformal_geometry_processing/algebra/stable_norm.h>
-#include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>
+#include <Quaternionic_linear_algebra/algebra/stable_norm.h>
+#include <Quaternionic_linear_algebra/exceptions.h>
 
 #include <Eigen/Core>
 #include <Eigen/LU>

@@ -1,10 +1,10 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/spin/Conformal_deformation.h>
 
-#include <Conformal_geometry_processing/algebra/rotor.h>
-#include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/spin/certify.h>
-#include <Conformal_geometry_processing/threads/Thread_team.h>
+#include <Quaternionic_linear_algebra/algebra/rotor.h>
+#include <Quaternionic_linear_algebra/exceptions.h>
+#include <Quaternionic_linear_algebra/threads/Thread_team.h>
 
 #include <Eigen/Core>
 

@@ -1,11 +1,11 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #pragma once
 
-#include <Conformal_geometry_processing/linear_algebra/krylov/Visit_guard.h>
 #include <Conformal_geometry_processing/spin/Control_point.h>
 #include <Conformal_geometry_processing/spin/Region_of_interest.h>
 #include <Conformal_geometry_processing/spin/Relaxed_positions.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
+#include <Quaternionic_linear_algebra/krylov/Visit_guard.h>
 
 #include <Eigen/Core>
 

@@ -1,14 +1,14 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #pragma once
 
-#include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
-#include <Conformal_geometry_processing/exceptions.h>
-#include <Conformal_geometry_processing/linear_algebra/direct/Solver_ref.h>
-#include <Conformal_geometry_processing/linear_algebra/krylov/Visit_guard.h>
-#include <Conformal_geometry_processing/linear_algebra/krylov/krylov_schur.h>
 #include <Conformal_geometry_processing/mesh/Normalized_frame.h>
 #include <Conformal_geometry_processing/spin/Dirac_system.h>
 #include <Conformal_geometry_processing/spin/Spectral_pairs.h>
+#include <Quaternionic_linear_algebra/algebra/Quaternion_vector.h>
+#include <Quaternionic_linear_algebra/direct/Solver_ref.h>
+#include <Quaternionic_linear_algebra/exceptions.h>
+#include <Quaternionic_linear_algebra/krylov/Visit_guard.h>
+#include <Quaternionic_linear_algebra/krylov/krylov_schur.h>
 
 #include <Eigen/Core>
 

@@ -1,11 +1,11 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/spin/Directions_selection.h>
 
-#include <Conformal_geometry_processing/linear_algebra/direct/Stopwatch.h>
-#include <Conformal_geometry_processing/linear_algebra/reduced/Reduced_hermitian_solver.h>
 #include <Conformal_geometry_processing/operators/dirac_energy.h>
 #include <Conformal_geometry_processing/spin/Dirac_system.h>
 #include <Conformal_geometry_processing/spin/certify.h>
+#include <Quaternionic_linear_algebra/direct/Stopwatch.h>
+#include <Quaternionic_linear_algebra/reduced/Reduced_hermitian_solver.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,10 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/spin/Prescribed_directions.h>
 
-#include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
-#include <Conformal_geometry_processing/algebra/rotor.h>
-#include <Conformal_geometry_processing/linear_algebra/dense/hermitian_eigen_decomposition.h>
 #include <Conformal_geometry_processing/operators/cotan_laplacian.h>
+#include <Quaternionic_linear_algebra/algebra/Quaternion_vector.h>
+#include <Quaternionic_linear_algebra/algebra/rotor.h>
+#include <Quaternionic_linear_algebra/dense/hermitian_eigen_decomposition.h>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>

@@ -1,14 +1,14 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #pragma once
 
-#include <Conformal_geometry_processing/algebra/Quaternion.h>
-#include <Conformal_geometry_processing/algebra/Reduced_basis.h>
-#include <Conformal_geometry_processing/algebra/stable_norm.h>
-#include <Conformal_geometry_processing/linear_algebra/direct/Dirichlet_solver.h>
-#include <Conformal_geometry_processing/linear_algebra/direct/Solver_ref.h>
 #include <Conformal_geometry_processing/mesh/Boundary_frames.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 #include <Conformal_geometry_processing/spin/Boundary_condition.h>
+#include <Quaternionic_linear_algebra/algebra/Quaternion.h>
+#include <Quaternionic_linear_algebra/algebra/Reduced_basis.h>
+#include <Quaternionic_linear_algebra/algebra/stable_norm.h>
+#include <Quaternionic_linear_algebra/direct/Dirichlet_solver.h>
+#include <Quaternionic_linear_algebra/direct/Solver_ref.h>
 
 #include <Eigen/Core>
 

@@ -1,11 +1,11 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/spin/Prescribed_positions.h>
 
-#include <Conformal_geometry_processing/algebra/rotor.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Conformal_geometry_processing/operators/cotan_laplacian.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 #include <Conformal_geometry_processing/spin/Prescribed_directions.h>
+#include <Quaternionic_linear_algebra/algebra/rotor.h>
 
 #include <Eigen/Core>
 #include <Eigen/LU>

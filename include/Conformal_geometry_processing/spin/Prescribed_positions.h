@@ -1,12 +1,12 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #pragma once
 
-#include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
-#include <Conformal_geometry_processing/exceptions.h>
-#include <Conformal_geometry_processing/linear_algebra/direct/Dirichlet_solver.h>
-#include <Conformal_geometry_processing/linear_algebra/direct/Solver_ref.h>
 #include <Conformal_geometry_processing/mesh/Boundary_frames.h>
 #include <Conformal_geometry_processing/spin/Boundary_condition.h>
+#include <Quaternionic_linear_algebra/algebra/Hermitian_sparse_matrix.h>
+#include <Quaternionic_linear_algebra/direct/Dirichlet_solver.h>
+#include <Quaternionic_linear_algebra/direct/Solver_ref.h>
+#include <Quaternionic_linear_algebra/exceptions.h>
 
 #include <Eigen/Core>
 

@@ -1,15 +1,15 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #pragma once
 
-#include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
-#include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
-#include <Conformal_geometry_processing/linear_algebra/dense/Solver_status.h>
-#include <Conformal_geometry_processing/linear_algebra/direct/Solver_ref.h>
 #include <Conformal_geometry_processing/spin/Dirac_misfit.h>
 #include <Conformal_geometry_processing/spin/Dirac_system.h>
 #include <Conformal_geometry_processing/spin/Spin_gauge.h>
 #include <Conformal_geometry_processing/spin/Spin_preconditioner.h>
 #include <Conformal_geometry_processing/spin/Spin_residual.h>
+#include <Quaternionic_linear_algebra/algebra/Hermitian_sparse_matrix.h>
+#include <Quaternionic_linear_algebra/algebra/Quaternion_vector.h>
+#include <Quaternionic_linear_algebra/dense/Solver_status.h>
+#include <Quaternionic_linear_algebra/direct/Solver_ref.h>
 
 #include <Eigen/Core>
 

@@ -1,8 +1,8 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/spin/Spectral_pairs.h>
 
-#include <Conformal_geometry_processing/linear_algebra/dense/hermitian_eigen_decomposition.h>
-#include <Conformal_geometry_processing/linear_algebra/krylov/Krylov_space.h>
+#include <Quaternionic_linear_algebra/dense/hermitian_eigen_decomposition.h>
+#include <Quaternionic_linear_algebra/krylov/Krylov_space.h>
 
 #include <Eigen/Core>
 

@@ -2,14 +2,14 @@
 // Transformations with a bound on scales, closed around handles, and on the exact conformal class.
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
 
-#include <Conformal_geometry_processing/linear_algebra/direct/Stopwatch.h>
 #include <Conformal_geometry_processing/operators/dirac_energy.h>
 #include <Conformal_geometry_processing/spin/Exactness_constraints.h>
 #include <Conformal_geometry_processing/spin/Period_residual.h>
 #include <Conformal_geometry_processing/spin/Relaxed_scales.h>
 #include <Conformal_geometry_processing/spin/snap_to_class.h>
 #include <Conformal_geometry_processing/spin/transformed_edges.h>
-#include <Conformal_geometry_processing/threads/Thread_team.h>
+#include <Quaternionic_linear_algebra/direct/Stopwatch.h>
+#include <Quaternionic_linear_algebra/threads/Thread_team.h>
 
 #include <algorithm>
 #include <cmath>
@@ -113,6 +113,13 @@ struct internal::Relaxed_surface {
       : scales(transformation.system(), rho, control, closing(transformation), options)
   {}
 
+  /// takes off what a finite weight has left of the periods
+  void close()
+  {
+    const int times = 2;
+    for (int i = 0; i < times && periods && scales.steps() > 0; ++i) scales.meet_few(false);
+  }
+
  private:
   Spin_residuals closing(Spin_transformation& transformation)
   {
@@ -132,6 +139,7 @@ Spin_result Spin_transformation::relaxed(const Curvature_potential& rho,
   search_options.spins.weights.factor = stiffness;
   internal::Relaxed_surface search(*this, wanted, control, search_options);
   search.scales.run(m_visits.guarded(go_further));
+  search.close();
   Spin_result result = surface_of(search.scales.solution(), options.tolerance);
   close_up(search, options.tolerance, go_further, result);
   if (m_options.scales.bound && shear(result.report, true) > 1)
@@ -150,6 +158,7 @@ void Spin_transformation::ask_for_less(internal::Relaxed_surface& search,
   const internal::Relaxed_scales::State all = search.scales.state();
   for (double share = less; share > least; share *= less) {
     search.scales.follow(share * wanted, m_visits.guarded(go_further));
+    search.close();
     result = surface_of(search.scales.solution(), tolerance);
     if (result.report.cancelled || shear(result.report, true) <= 1) return;
   }
@@ -170,6 +179,7 @@ void Spin_transformation::close_up(internal::Relaxed_surface& search, double tol
     if (!is_open && before <= most_shear) return;
     if (is_open) search.periods->set_weight(period_weight *= 30);
     search.scales.stiffen(is_open ? 1 : stiffening(before), m_visits.guarded(go_further));
+    search.close();
     result = surface_of(search.scales.solution(), tolerance);
     const bool is_vain = !(present() < (1 - least_gain) * before);  // slivers, say
     if (!is_open && is_vain) return;
@@ -194,6 +204,7 @@ Spin_result Spin_transformation::preview(const Curvature_potential& rho, bool co
     scales.follow(wanted);
   else
     scales.run();
+  search->close();
   Spin_result result = surface_of(scales.solution());
   tell_shares(scales, wanted, m_options.scales, result.report);
   internal::add_costs(result.report, take_unreported());

@@ -1,12 +1,12 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #pragma once
 
-#include <Conformal_geometry_processing/algebra/Reduced_basis.h>
-#include <Conformal_geometry_processing/linear_algebra/dense/block_operators.h>
-#include <Conformal_geometry_processing/linear_algebra/krylov/Krylov_space.h>
-#include <Conformal_geometry_processing/linear_algebra/krylov/Lobpcg.h>
 #include <Conformal_geometry_processing/operators/dirac_energy.h>
 #include <Conformal_geometry_processing/spin/Dirac_system.h>
+#include <Quaternionic_linear_algebra/algebra/Reduced_basis.h>
+#include <Quaternionic_linear_algebra/dense/block_operators.h>
+#include <Quaternionic_linear_algebra/krylov/Krylov_space.h>
+#include <Quaternionic_linear_algebra/krylov/Lobpcg.h>
 
 #include <Eigen/Core>
 

@@ -1,8 +1,8 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/surfaces/hopf_torus.h>
 
-#include <Conformal_geometry_processing/algebra/rotor.h>
 #include <Conformal_geometry_processing/surfaces/round_torus.h>
+#include <Quaternionic_linear_algebra/algebra/rotor.h>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>

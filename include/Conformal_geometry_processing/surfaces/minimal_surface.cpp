@@ -1,12 +1,12 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/surfaces/minimal_surface.h>
 
-#include <Conformal_geometry_processing/algebra/rotor.h>
-#include <Conformal_geometry_processing/algebra/stable_norm.h>
 #include <Conformal_geometry_processing/mesh/Boundary_frames.h>
 #include <Conformal_geometry_processing/mesh/Surface_ref.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 #include <Conformal_geometry_processing/spin/certify.h>
+#include <Quaternionic_linear_algebra/algebra/rotor.h>
+#include <Quaternionic_linear_algebra/algebra/stable_norm.h>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>

@@ -1,0 +1,47 @@
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#include <Quaternionic_linear_algebra/direct/choose_ordering.h>
+
+#include <Quaternionic_linear_algebra/direct/Ordering.h>
+#include <Quaternionic_linear_algebra/direct/sweep_nested_dissection.h>
+
+#include <Eigen/Core>
+
+#include <cmath>
+#include <memory>
+
+namespace Conformal_geometry_processing {
+namespace internal {
+
+// Returns whether dissection may save more than it takes.
+bool dissection_may_pay(const Supernodal_structure& by_degree, double n, int factorizations,
+                        const Ordering_costs& costs)
+{
+  const double operations = by_degree.operations();
+  return operations > costs.limbs * std::pow(n, 1.5) &&
+         costs.expected_saving * factorizations * operations * costs.seconds_per_operation >
+             costs.seconds_per_vertex * n;
+}
+
+}  // namespace internal
+
+std::shared_ptr<const internal::Supernodal_structure> choose_structure(
+    const Sparse_pattern& pattern, const Eigen::Matrix3Xd* positions, int factorizations,
+    const internal::Ordering_costs& costs)
+{
+  using Structure = internal::Supernodal_structure;
+  auto by_degree = std::make_shared<const Structure>(pattern, amd_ordering(pattern));
+  if (positions == nullptr ||
+      !internal::dissection_may_pay(*by_degree, pattern.size(), factorizations, costs))
+    return by_degree;
+  auto by_dissection = std::make_shared<const Structure>(
+      pattern, sweep_nested_dissection(pattern, *positions, by_degree->order()));
+  return by_dissection->operations() < by_degree->operations() ? by_dissection : by_degree;
+}
+
+internal::Ordering choose_ordering(const Sparse_pattern& pattern, const Eigen::Matrix3Xd* positions,
+                                   int factorizations, const internal::Ordering_costs& costs)
+{
+  return choose_structure(pattern, positions, factorizations, costs)->order();
+}
+
+}  // namespace Conformal_geometry_processing

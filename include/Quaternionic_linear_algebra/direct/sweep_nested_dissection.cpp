@@ -1,0 +1,244 @@
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#include <Quaternionic_linear_algebra/direct/sweep_nested_dissection.h>
+
+#include <Quaternionic_linear_algebra/dense/hermitian_eigen_decomposition.h>
+#include <Quaternionic_linear_algebra/direct/vertex_separator.h>
+#include <Quaternionic_linear_algebra/threads/Thread_team.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace Conformal_geometry_processing {
+namespace internal {
+
+/// Returns the principal axes of inertia of a set of points, one per column, the longest first
+Eigen::Matrix3f principal_axes(const Eigen::Matrix<float, Eigen::Dynamic, 3>& points)
+{
+  const Eigen::RowVector3f mean = points.colwise().mean();
+  Block<float> covariance(3, 3);
+  for (int a = 0; a < 3; ++a)
+    for (int b = 0; b <= a; ++b)
+      covariance(a, b) = covariance(b, a) =
+          ((points.col(a).array() - mean[a]) * (points.col(b).array() - mean[b])).mean();
+  return hermitian_jacobi(covariance).vectors.rowwise().reverse();
+}
+
+}  // namespace internal
+
+const std::vector<internal::Side>& internal::Sweep_cut::operator()(
+    const internal::Graph_region& region)
+{
+  m_best = Cut();
+  m_degree.assign(region.vertices.size(), 0);
+  for (const auto& e : region.edges)
+    for (int v : e) ++m_degree[static_cast<std::size_t>(v)];
+  const Eigen::Matrix3f axes = internal::principal_axes(region.positions);
+  for (const Eigen::Vector3f& d : directions()) sweep(region, (axes * d).eval());
+  m_sides.resize(region.vertices.size());
+  if (m_best.cost < no_cut)
+    take_slabs(region);
+  else
+    halve(region, axes.col(0));
+  return m_sides;
+}
+
+// In the frame of the axes of inertia. A long thin region is cut across its length; for other
+// regions, oblique planes find necks.
+std::array<Eigen::Vector3f, 5> internal::Sweep_cut::directions()
+{
+  constexpr float t = 0.7f;
+  return {{{1, 0, 0}, {1, t, 0}, {1, -t, 0}, {1, 0, t}, {1, 0, -t}}};
+}
+
+// Computes the coordinates of the vertices along the direction.
+void internal::Sweep_cut::set_keys(const internal::Graph_region& region,
+                                   const Eigen::Vector3f& direction)
+{
+  m_key = (region.positions.col(0) * direction[0] + region.positions.col(1) * direction[1] +
+           region.positions.col(2) * direction[2])
+              .array();
+}
+
+// Returns false if all vertices lie in one plane orthogonal to the direction.
+bool internal::Sweep_cut::sort_into_slabs(const internal::Graph_region& region,
+                                          const Eigen::Vector3f& direction)
+{
+  set_keys(region, direction);
+  const float low = m_key.minCoeff(), high = m_key.maxCoeff();
+  const float scale = static_cast<float>(slabs) / (high - low);
+  if (!(scale < no_cut)) return false;
+  m_slab.resize(region.vertices.size());
+  for (std::size_t v = 0; v < m_slab.size(); ++v)
+    m_slab[v] = static_cast<std::uint8_t>((std::min)(
+        slabs - 1, static_cast<int>((m_key[static_cast<Eigen::Index>(v)] - low) * scale)));
+  return true;
+}
+
+// An edge counts from its lower end to its upper one, and both ends are among the degrees. Two
+// counters in turn, because a processor waits for a number that it has just written.
+void internal::Sweep_cut::count_lower_ends(const internal::Graph_region& region)
+{
+  m_lower_ends = {};
+  for (std::size_t k = 0; k < region.edges.size(); ++k) {
+    const auto [a, b] = region.edges[k];
+    ++m_lower_ends[k % 2][(std::min)(m_slab[static_cast<std::size_t>(a)],
+                                     m_slab[static_cast<std::size_t>(b)])];
+  }
+}
+
+void internal::Sweep_cut::sweep(const internal::Graph_region& region,
+                                const Eigen::Vector3f& direction)
+{
+  if (!sort_into_slabs(region, direction)) return;
+  std::array<int, slabs> vertices{}, growth{};  // of the cut, from one slab to the next
+  for (std::size_t v = 0; v < m_slab.size(); ++v) {
+    ++vertices[m_slab[v]];
+    growth[m_slab[v]] -= m_degree[v];
+  }
+  count_lower_ends(region);
+  for (const auto& lower_ends : m_lower_ends)
+    for (std::size_t s = 0; s < slabs; ++s) growth[s] += 2 * lower_ends[s];
+  int lefts = 0, cut = 0;
+  for (int s = 0; s + 1 < slabs; ++s) {
+    lefts += vertices[static_cast<std::size_t>(s)];
+    cut += growth[static_cast<std::size_t>(s)];
+    const float share = static_cast<float>(lefts) / static_cast<float>(region.size());
+    if (share < least_share || share > 1 - least_share) continue;
+    const float cost = static_cast<float>(cut + 1) / (share * (1 - share));
+    if (cost < m_best.cost) m_best = {cost, direction, s};
+  }
+}
+
+// Widens the best cut slab by slab.
+void internal::Sweep_cut::take_slabs(const internal::Graph_region& region)
+{
+  sort_into_slabs(region, m_best.direction);
+  std::array<int, slabs> vertices{};
+  for (std::uint8_t s : m_slab) ++vertices[s];
+  const auto size = static_cast<float>(region.size());
+  const auto end = [&](int slab, int step, int rest) {
+    int taken = 0;
+    for (; slab >= 0 && slab < slabs; slab += step) {
+      taken += vertices[static_cast<std::size_t>(slab)];
+      rest -= vertices[static_cast<std::size_t>(slab)];
+      if (static_cast<float>(taken) > band_share(region.size()) * size ||
+          static_cast<float>(rest) < least_share * size)
+        break;
+    }
+    return slab;
+  };
+  const int lefts = std::accumulate(vertices.begin(), vertices.begin() + m_best.slab + 1, 0);
+  const int last_left = end(m_best.slab, -1, lefts);
+  const int first_right = end(m_best.slab + 1, 1, region.size() - lefts);
+  for (std::size_t v = 0; v < m_sides.size(); ++v)
+    m_sides[v] = m_slab[v] <= last_left     ? internal::Side::left
+                 : m_slab[v] >= first_right ? internal::Side::right
+                                            : internal::Side::separator;
+}
+
+// If many vertices coincide, no plane separates them: bisects them, ties by index.
+void internal::Sweep_cut::halve(const internal::Graph_region& region,
+                                const Eigen::Vector3f& direction)
+{
+  set_keys(region, direction);
+  std::vector<int> order(m_sides.size());
+  std::iota(order.begin(), order.end(), 0);
+  const auto middle = order.begin() + region.size() / 2;
+  std::nth_element(order.begin(), middle, order.end(), [&](int v, int w) {
+    return m_key[v] < m_key[w] || (m_key[v] == m_key[w] && v < w);
+  });
+  std::fill(m_sides.begin(), m_sides.end(), internal::Side::right);
+  for (auto v = order.begin(); v != middle; ++v)
+    m_sides[static_cast<std::size_t>(*v)] = internal::Side::left;
+}
+
+namespace internal {
+
+std::array<Dissection_part, 2> Dissection::cut(const Dissection_part& part)
+{
+  const Graph_region& region = part.region;
+  std::vector<Side> sides = m_cut(region);
+  thin_separator(region, sides);
+  int end = part.end;
+  for (int v = region.size() - 1; v >= 0; --v)
+    if (sides[static_cast<std::size_t>(v)] == Side::separator)
+      m_order[static_cast<std::size_t>(--end)] = region.vertices[static_cast<std::size_t>(v)];
+  std::array<Graph_region, 2> halves = split(region, sides);
+  const int middle = end - halves[1].size();
+  return {{{std::move(halves[0]), middle}, {std::move(halves[1]), end}}};
+}
+
+void Dissection::finish(Dissection_part&& all)
+{
+  std::vector<Dissection_part> stack;
+  stack.push_back(std::move(all));
+  while (!stack.empty()) {
+    Dissection_part part = std::move(stack.back());
+    stack.pop_back();
+    std::vector<int>& vertices = part.region.vertices;
+    if (part.region.size() <= max_dissection_leaf) {
+      std::sort(vertices.begin(), vertices.end(), [this](int v, int w) {
+        return m_rank[static_cast<std::size_t>(v)] < m_rank[static_cast<std::size_t>(w)];
+      });
+      std::copy(vertices.begin(), vertices.end(),
+                m_order.begin() + (part.end - part.region.size()));
+    } else {
+      for (Dissection_part& half : cut(part)) stack.push_back(std::move(half));
+    }
+  }
+}
+
+/// The first cuts form a binary tree of tasks: part t is cut into the parts 2t and 2t + 1.
+void dissect_in_parallel(Dissection_part&& all, int threads, const std::vector<int>& rank,
+                         Ordering& order)
+{
+  constexpr int parts_at_most = 128, smallest = 1000;
+  std::vector<Dissection_part> parts(parts_at_most);
+  parts[1] = std::move(all);
+  Task_pool pool(threads);
+  pool.run({1}, [&](int t) {
+    Dissection dissection(rank, order);
+    Dissection_part part = std::move(parts[static_cast<std::size_t>(t)]);
+    if (2 * t >= parts_at_most || part.region.size() < smallest)
+      return dissection.finish(std::move(part));
+    std::array<Dissection_part, 2> halves = dissection.cut(part);
+    part.region = Graph_region();
+    for (int i = 1; i >= 0; --i) {
+      parts[static_cast<std::size_t>(2 * t + i)] = std::move(halves[static_cast<std::size_t>(i)]);
+      pool.push(2 * t + i);
+    }
+  });
+}
+
+}  // namespace internal
+
+internal::Ordering sweep_nested_dissection(const Sparse_pattern& pattern,
+                                           const Eigen::Matrix3Xd& positions)
+{
+  return sweep_nested_dissection(pattern, positions, amd_ordering(pattern));
+}
+
+internal::Ordering sweep_nested_dissection(const Sparse_pattern& pattern,
+                                           const Eigen::Matrix3Xd& positions,
+                                           const internal::Ordering& by_degree)
+{
+  constexpr int worth_threads = 4000;  // vertices: some milliseconds
+  const std::vector<int> rank = inverse_permutation(by_degree);
+  internal::Ordering order(static_cast<std::size_t>(pattern.size()));
+  internal::Dissection_part all{graph_region(pattern, positions), pattern.size()};
+  const int threads = pattern.size() < worth_threads ? 1 : number_of_threads();
+  if (threads > 1)
+    internal::dissect_in_parallel(std::move(all), threads, rank, order);
+  else
+    internal::Dissection(rank, order).finish(std::move(all));
+  return order;
+}
+
+}  // namespace Conformal_geometry_processing

@@ -1,0 +1,110 @@
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
+
+#include <Quaternionic_linear_algebra/algebra/Reduced_basis.h>
+#include <Quaternionic_linear_algebra/dense/block_operators.h>
+#include <Quaternionic_linear_algebra/reduced/Real_reduced_solver.h>
+#include <Quaternionic_linear_algebra/reduced/Reduced_form.h>
+#include <Quaternionic_linear_algebra/reduced/Schur_reduced_solver.h>
+
+#include <Eigen/Core>
+
+#include <variant>
+
+namespace Conformal_geometry_processing {
+namespace internal {
+
+/// \ingroup PkgLinearAlgebra
+/// \brief Solves systems with the real symmetric matrix R = B^T (X + diag(shift)) B, where X is
+/// quaternionic and Hermitian and some of the unknowns lie in planes of H: boundary vertices with
+/// prescribed directions [CGP 5.7].
+///
+/// Right-hand sides and solutions are quaternionic vectors: b is restricted, x = B R^-1 B^T b lies
+/// in the reduced space. b -> x is symmetric and linear over the real numbers only.
+/// `Schur_reduced_solver` and `Real_reduced_solver` factor in different ways, with the same
+/// interface; this class chooses the cheaper one, see `choose_reduced_form()`. As for the models of
+/// SparseHermitianSolver, failures are reported as a status and never as an exception, and a call
+/// that does not fit the earlier ones returns `Solver_status::wrong_state`.
+class Reduced_hermitian_solver {
+ public:
+  using FT = double;
+  using Scalar = Quaternion<FT>;
+
+  Reduced_hermitian_solver() = default;
+  Reduced_hermitian_solver(const Reduced_hermitian_solver&) = delete;
+  Reduced_hermitian_solver& operator=(const Reduced_hermitian_solver&) = delete;
+
+  /// \brief Prepares for matrices X with this pattern that are reduced at the given rows.
+  Solver_status analyze(const Sparse_pattern& pattern, const Reduced_rows& rows);
+
+  /// Likewise, with the position of vertex i in column i of `positions`, 3 x n, as a hint
+  Solver_status analyze_with_positions(const Sparse_pattern& pattern, const Reduced_rows& rows,
+                                       const Eigen::Matrix3Xd& positions);
+
+  /// Likewise, with a given ordering of all rows
+  Solver_status analyze(const Sparse_pattern& pattern, const Reduced_rows& rows,
+                        const Ordering& order);
+
+  /// Returns whether the whole matrix is factored as a real one
+  bool has_real_form() const { return std::holds_alternative<Real_reduced_solver>(m_solver); }
+
+  /// \brief Factorizes R.
+  ///
+  /// \param shift one number per row of X, or empty
+  /// \param basis has the rows of the analysis
+  /// \returns `Solver_status::not_positive_definite` if R is not positive definite
+  Solver_status factorize(const Hermitian_sparse_matrix<Scalar>& X, const Vector<FT>& shift,
+                          const Reduced_basis<FT>& basis);
+
+  /// \brief Computes x = B R^-1 B^T b, for all columns of b.
+  ///
+  /// \param x is resized; unchanged unless the status is `Solver_status::success`
+  Solver_status solve(const Block<Scalar>& b, Block<Scalar>& x) const;
+
+  /// Releases the memory of the factor; the analysis stays, and `factorize()` must come next
+  void release();
+
+  /// Cost of the factorization, entries counted as real numbers; zeros before `analyze()`
+  Solver_statistics statistics() const;
+
+ private:
+  Solver_status forget();
+  Solver_status adopt(const Sparse_pattern& pattern, const Reduced_rows& rows,
+                      const Eigen::Matrix3Xd* positions);
+  Solver_status adopt(const Sparse_pattern& pattern, const Reduced_rows& rows,
+                      const Reduced_form& form);
+
+  std::variant<Schur_reduced_solver, Real_reduced_solver> m_solver;
+};
+
+}  // namespace internal
+
+/// \ingroup PkgLinearAlgebra
+/// \brief The operator x -> B B^T A x for all columns of x at once: the matrix B^T A B as an
+/// operator on quaternionic vectors, with values in the reduced space. Stores references.
+///
+/// With `inverse_operator()` of a reduced solver an eigensolver can iterate on such vectors,
+/// provided that it combines them with *real* coefficients: its inner products are those of
+/// `real_gram_matrix()`.
+template <class FT>
+auto reduced_operator(const Hermitian_sparse_matrix<Quaternion<FT>>& A,
+                      const internal::Reduced_basis<FT>& basis)
+{
+  return [apply = block_operator(A), &basis](const Block<Quaternion<FT>>& x) {
+    return basis.project(apply(x));
+  };
+}
+
+/// \ingroup PkgLinearAlgebra
+/// \brief Returns Re A^H C: the real inner products of the columns of A with those of C.
+template <class FT>
+Block<FT> real_gram_matrix(const Block<Quaternion<FT>>& A, const Block<Quaternion<FT>>& C)
+{
+  const auto numbers = [](const Block<Quaternion<FT>>& x) {
+    return Eigen::Map<const Block<FT>>(reinterpret_cast<const FT*>(x.data()), 4 * x.rows(),
+                                       x.cols());
+  };
+  return numbers(A).transpose() * numbers(C);
+}
+
+}  // namespace Conformal_geometry_processing

@@ -1,0 +1,30 @@
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+// Tests
+// include/Quaternionic_linear_algebra/adapters/Supernodal_real_solver_traits.h
+#include <Quaternionic_linear_algebra/adapters/Supernodal_real_solver_traits.h>
+
+#include "quaternionic_linear_algebra/solver_laws.h"
+
+namespace cgp_test::supernodal_real_solver_traits_tests {
+
+using Traits = CGP::internal::Supernodal_real_solver_traits;
+using Solvers = testing::Types<Traits::Solver<double>, Traits::Solver<Quaternion<double>>>;
+INSTANTIATE_TYPED_TEST_SUITE_P(Supernodal_real, Hermitian_solver, Solvers);
+
+TEST(Supernodal_real_solver, stores_about_as_many_blocks_as_the_quaternionic_factor)
+{
+  // The supernodes of both are joined by rules of thumb, so the explicit zeros differ.
+  const Pattern grid = grid_pattern(30, 30);
+  CGP::Supernodal_cholesky<Quaternion<double>> quaternionic;
+  Traits::Solver<Quaternion<double>> real;
+  ASSERT_EQ(quaternionic.analyze(*grid), Solver_status::success);
+  ASSERT_EQ(real.analyze_like(*grid, quaternionic), Solver_status::success);
+  EXPECT_EQ(real.ordering(), quaternionic.ordering());
+  const auto blocks = [](const auto& solver) {
+    return static_cast<double>(solver.statistics().factor_entries);
+  };
+  EXPECT_LT(blocks(real), 1.3 * blocks(quaternionic));
+  EXPECT_GT(blocks(real), blocks(quaternionic) / 1.3);
+}
+
+}  // namespace cgp_test::supernodal_real_solver_traits_tests
