@@ -15,7 +15,7 @@
 #include "support/decompositions.h"
 #include "support/dense.h"
 
-namespace cgp_test::directions_search_tests {
+namespace cgp_test::directions_selection_tests {
 
 using Q = Quaternion<double>;
 using Vectors = CGP::Block<Q>;
@@ -283,4 +283,4 @@ TEST_F(Directions_selection, refuses_a_matrix_that_is_not_finite)
   EXPECT_THROW(system.set_potential(broken, seconds), CGP::Solver_error);
 }
 
-}  // namespace cgp_test::directions_search_tests
+}  // namespace cgp_test::directions_selection_tests

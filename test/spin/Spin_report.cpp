@@ -212,7 +212,6 @@ TEST(Spin_report_io, says_when_the_equation_is_not_solved)
 TEST(Spin_report_io, tells_the_reason_of_every_failure)
 {
   using Boundary_fault = CGP::Spin_report::Boundary_fault;
-  using Fault = CGP::Spin_report::Fault;
   CGP::Spin_report report;
   const auto expect_last_line = [&](Fault fault, const std::string& detail = "") {
     EXPECT_EQ(report.fault(), fault);

@@ -78,20 +78,26 @@ TEST(Minimal_surface_of_directions, is_that_of_the_weierstrass_data_of_the_same_
     }
 }
 
-TEST(Minimal_surface_of_directions, does_not_prefer_a_nearer_surface_that_is_not_minimal)
+// Binormals are had by other surfaces, too, of other constant mean curvatures, of which some are
+// nearer to the plane: the Gauss map may be far from that of a plane.
+TEST(Minimal_surface_of_directions, is_what_a_transformation_without_rho_finds)
 {
-  const Weierstrass_surface X({1, .5}, {.3, .6});
-  const Mesh_view plane = plane_domain(.15, 7, false);
-  const CGP::Spin_result r = minimal(plane, plane, X, binormal);
-  EXPECT_TRUE(r.report);
-  EXPECT_LT(gamma_radius(r, plane), 1e-3);
-  EXPECT_LT(shape_error(r.positions, mapped(plane, X).positions()), 1e-3);
-  // Binormals are had by other surfaces, too, of which one is nearer.
-  const auto condition = Boundary_condition::binormals(image_directions(
-      plane,
-      [&X](const Eigen::Vector3d& p, const Eigen::Vector3d& v) { return X.differential(p, v); },
-      binormal));
-  EXPECT_GT(gamma_radius(transformed(plane, condition, constant_potential(plane, 0)), plane), 1);
+  std::vector<Weierstrass_surface> surfaces{{{1, .5}, {.3, .6}}};
+  for (const double a : {.1, .2, .3, .5, .7}) surfaces.push_back({{2}, {a, .9}});
+  for (std::uint64_t seed = 0; seed < 20; ++seed)
+    surfaces.push_back(Weierstrass_surface::random(200 + seed));
+  std::uint64_t seed = 7;
+  for (const Weierstrass_surface& X : surfaces) {
+    const Mesh_view plane = plane_domain(.15, seed++, false);
+    const auto condition = Boundary_condition::binormals(image_directions(
+        plane,
+        [&X](const Eigen::Vector3d& p, const Eigen::Vector3d& v) { return X.differential(p, v); },
+        binormal));
+    const CGP::Spin_result r = transformed(plane, condition, constant_potential(plane, 0));
+    EXPECT_TRUE(r.report) << seed;
+    EXPECT_LT(gamma_radius(r, plane), 1e-2) << seed;
+    EXPECT_LT(shape_error(r.positions, mapped(plane, X).positions()), 3e-3) << seed;
+  }
 }
 
 TEST(Minimal_surface_of_directions, is_the_catenoid_on_a_ring_with_its_binormals)

@@ -89,7 +89,8 @@ CLI::Option_group* add_rho(CLI::App& command, Rho_options& rho)
       ->check(not_empty);
   source
       ->add_option("--rho-file", rho.file,
-                   "text file, a number per vertex or face; # begins a comment")
+                   "text file, a number per vertex or face, in 1/length of the "
+                   "normalised frame; # begins a comment")
       ->check(not_empty);
   source
       ->add_option("--paint,--rho-image", rho.image,

@@ -11,7 +11,8 @@ namespace Conformal_geometry_processing {
 struct Dirac_options {
   /// the eigenvector of D - rho that is taken if directions are prescribed at a boundary
   enum class Branch {
-    nearest,   ///< the nearest to the spins that turn the boundary least and are harmonic inside
+    nearest,   ///< the nearest to the spins that turn the boundary least and are harmonic inside;
+               ///< unless it nearly is these, of those whose eigenvalue is zero, if there are any
     smallest,  ///< the one whose eigenvalue has the smallest modulus
     zero       ///< the nearest among those whose eigenvalue is zero up to the discretisation error,
                ///< even where other eigenvalues have surfaces, too; if there is none, the smallest

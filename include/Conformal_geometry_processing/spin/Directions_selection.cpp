@@ -24,7 +24,7 @@ Directions_selection::Directions_selection(Dirac_system& system, const Curvature
   const bool is_eigenvalue = system.is_self_adjoint();
   const bool is_any = is_eigenvalue && options.branch != Dirac_options::Branch::zero;
   m_greatest_value = is_any ? infinity : greatest_misfit(system.surface());
-  m_greatest_eigenvalue = is_any || !is_eigenvalue ? infinity : greatest_zero(system.surface());
+  m_greatest_eigenvalue = is_eigenvalue ? greatest_zero(system.surface()) : infinity;
 }
 
 void Directions_selection::solve(Dirac_solution& s, const Go_further& go_further)
@@ -46,7 +46,7 @@ Eigensolver_result Directions_selection::nearest_to_guide(Dirac_solution& s,
   Eigensolver_result r =
       smallest(guide(), 1, is_one_enough ? m_options.tolerance : 1e-2, s, go_further);
   if (s.cancelled || (is_one_enough && r.converged && is_solution(r, 0) &&
-                      m_system.overlap(r.vectors.col(0), guide()) >= surely_nearest))
+                      m_system.overlap(r.vectors.col(0), guide()) >= surely_taken()))
     return r;
   s.solves += columns - 1;  // of the noise
   r = smallest(with_noise(r.vectors, columns), columns, 1e-2, s, go_further);
@@ -91,27 +91,44 @@ double Directions_selection::singular_value(const Eigensolver_result& r, int c)
   return std::sqrt((std::max)(r.values[c], 0.));
 }
 
-bool Directions_selection::is_solution(const Eigensolver_result& r, int c) const
+bool Directions_selection::is_zero(const Eigensolver_result& r, int c) const
 {
-  if (singular_value(r, c) > m_greatest_value) return false;
   if (std::isinf(m_greatest_eigenvalue)) return true;
   const Quaternion_vector<double> lambda = r.vectors.col(c);
   return std::abs(dirac_quotient(m_system.surface(), m_rho, lambda)) <= m_greatest_eigenvalue;
+}
+
+bool Directions_selection::is_solution(const Eigensolver_result& r, int c) const
+{
+  return singular_value(r, c) <= m_greatest_value &&
+         (m_options.branch != Dirac_options::Branch::zero || is_zero(r, c));
 }
 
 int Directions_selection::column(const Eigensolver_result& r) const
 {
   using Branch = Dirac_options::Branch;
   if (m_options.branch == Branch::smallest) return 0;
-  std::vector<int> candidates;
-  for (int c = 0; c < r.vectors.cols(); ++c)
-    if (is_solution(r, c)) candidates.push_back(c);
-  if (candidates.empty() && m_options.branch == Branch::zero) return 0;
-  if (candidates.empty())
-    for (int c = 0; c < r.vectors.cols(); ++c) candidates.push_back(c);
-  const auto overlap = [&](int c) { return m_system.overlap(r.vectors.col(c), guide()); };
-  return *std::max_element(candidates.begin(), candidates.end(),
-                           [&](int a, int b) { return overlap(a) < overlap(b); });
+  const auto size = static_cast<int>(r.vectors.cols());
+  const auto nearest_of = [&](const auto& is_candidate) {
+    int best = -1;
+    double most = -1;
+    for (int c = 0; c < size; ++c)
+      if (const double o = m_system.overlap(r.vectors.col(c), guide()); o > most && is_candidate(c))
+        best = c, most = o;
+    return best;
+  };
+  const int solution = nearest_of([&](int c) { return is_solution(r, c); });
+  if (solution < 0 && m_options.branch == Branch::zero) return 0;
+  const int nearest = solution >= 0 ? solution : nearest_of([](int) { return true; });
+  if (m_system.overlap(r.vectors.col(nearest), guide()) >= surely_taken()) return nearest;
+  const int zero = nearest_of([&](int c) { return is_solution(r, c) && is_zero(r, c); });
+  return zero >= 0 ? zero : nearest;
+}
+
+double Directions_selection::surely_taken() const
+{
+  const double nearly_the_guide = .9;
+  return m_system.is_self_adjoint() ? nearly_the_guide : surely_nearest;
 }
 
 int Directions_selection::size_of_kernel(const Eigensolver_result& r) const

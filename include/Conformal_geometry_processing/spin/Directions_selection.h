@@ -12,8 +12,10 @@ namespace Conformal_geometry_processing::internal {
 /// into prescribed ones: takes the smallest singular value of D - rho on that space, or one of the
 /// next whose vector is nearer to the guide [CGP 5.7]. If gamma is only a misfit, a vector whose
 /// misfit exceeds `greatest_misfit()` is taken only if there are no others. If gamma is an
-/// eigenvalue, vectors near to the guide may belong to any, and `Branch::zero` leaves out those
-/// that do not belong to zero.
+/// eigenvalue, vectors near to the guide may belong to any. One that nearly is the guide, as in
+/// steps of a flow, is taken; else those that belong to zero come first, where rho is what was
+/// asked for: the surface with wanted binormals may be far from the guide. `Branch::zero` leaves
+/// out all others.
 ///
 /// The space is real, so eigenvalues are in general simple and not fourfold. Each `solve()` costs
 /// one factorization, and one solve for each iteration and column.
@@ -48,6 +50,12 @@ class Directions_selection {
   int wanted(const Eigensolver_result& r) const;
   static double singular_value(const Eigensolver_result& r, int c);
 
+  /// the overlap with the guide with which a vector is taken, whatever its eigenvalue is
+  double surely_taken() const;
+
+  /// whether its eigenvalue is zero up to the discretisation error, if there are eigenvalues
+  bool is_zero(const Eigensolver_result& r, int c) const;
+
   /// whether a column is a solution up to the discretisation error
   bool is_solution(const Eigensolver_result& r, int c) const;
 
@@ -70,7 +78,7 @@ class Directions_selection {
   const Curvature_potential& m_rho;
   Dirac_options m_options;
   double m_greatest_value;       // singular, of a solution
-  double m_greatest_eigenvalue;  // its modulus, of a solution, if it is not a misfit
+  double m_greatest_eigenvalue;  // modulus that counts as zero, if it is not a misfit
 };
 
 }  // namespace Conformal_geometry_processing::internal
