@@ -1,9 +1,11 @@
 # Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-"""Runs the command-line program and reads its report."""
+"""Runs the command-line program and reads its report, or a benchmark and what it prints."""
 
 import json
 import resource
 import subprocess
+
+from page import machine
 
 
 def seconds_of_children():
@@ -25,3 +27,12 @@ def run(program, arguments, report, limit):
     seconds = seconds_of_children() - start
     content = json.loads(report.read_text(encoding="utf-8")) if report.exists() else {}
     return code, content, message.splitlines()[-1] if message else "", seconds
+
+
+def printed(program, *arguments):
+    """The rows that a benchmark prints as lines of JSON."""
+    if not program.exists():
+        raise SystemExit(f"{program} is not built")
+    output = subprocess.run([program, *arguments], env=machine.ONE_THREAD, stdout=subprocess.PIPE,
+                            text=True, check=True).stdout
+    return [json.loads(line) for line in output.splitlines() if line.startswith("{")]

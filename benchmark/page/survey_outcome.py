@@ -12,6 +12,8 @@ UNVERIFIED, LEFT, UNSTATED = "unverified success", "file left", "no reason"
 REFUSALS = {1: NOT_VERIFIED, 3: UNREADABLE, 4: UNSUITABLE, 6: NO_MEMORY}
 GOOD = [VERIFIED, UNSUITABLE, UNREADABLE, NOT_VERIFIED]
 BAD = [NO_MEMORY, CRASHED, TIMED_OUT, UNVERIFIED, LEFT, UNSTATED]
+COLORS = {VERIFIED: "#009e73", UNSUITABLE: "#7f7f7f", UNREADABLE: "#333333", NOT_VERIFIED: "#c77700",
+          **dict.fromkeys(BAD, "#d00000")}
 WITHOUT_OUTPUT = ["info", "spectrum"]
 SMALL = 1e-6  # of the residuals of harmonic forms, whose report has no certificate
 

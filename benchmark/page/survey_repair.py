@@ -1,7 +1,7 @@
 # Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 """What --repair makes of the meshes that the survey found unsuitable."""
 
-from page import survey_outcome, tables
+from page import survey_outcome
 
 WORDS = {"merged_points": "merged", "removed_faces": "bad faces", "turned_faces": "turned",
          "flipped_edges": "flips", "collapsed_edges": "collapses",
@@ -25,29 +25,6 @@ def refused(rows):
     return {(row["set"], row["mesh"]) for row in rows
             if row["command"] == "info" and row.get("suitable") is False
             and row["outcome"] == survey_outcome.VERIFIED}
-
-
-def first_problem(row):
-    problems = [survey_outcome.kind(problem) for problem in row.get("problems") or []]
-    return "; ".join(problems) or "none"
-
-
-def was_refused(before, key):
-    return survey_outcome.kind(before.get((*key, "spin"), {}).get("reason", ""))
-
-
-def table(before, after, letters, commands):
-    """One line per mesh: why it was refused, what was done, what is left, what came of it."""
-    before = {(row["set"], row["mesh"], row["command"]): row for row in before}
-    after = {(row["set"], row["mesh"], row["command"]): row for row in after}
-    lines = []
-    for row in [row for key, row in after.items() if key[2] == "info"]:
-        key = (row["set"], row["mesh"])
-        outcomes = [after.get((*key, command), {}).get("outcome", "") for command in commands]
-        lines.append([": ".join(key), was_refused(before, key), done(row), first_problem(row),
-                      *(letters.get(outcome, outcome) for outcome in outcomes)])
-    head = ["mesh", "refused for", "repaired", "left", *commands]
-    return tables.table(head, lines) if lines else "Not measured."
 
 
 def is_of_components(problem):
