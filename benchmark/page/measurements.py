@@ -1,7 +1,6 @@
 # Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 """The lines that benchmark_solvers prints, and what is computed from them."""
 
-import json
 import math
 
 
@@ -21,16 +20,8 @@ class Measurements:
     """Rows, which are dictionaries. A later row replaces an earlier one of the same name, so that
     single rows can be measured again."""
 
-    def __init__(self, lines):
-        self.by_name = {}
-        for line in lines:
-            row = json.loads(line)
-            key = (row["table"], row["mesh"], row["model"])
-            self.by_name[key] = row
-
-    def lines(self):
-        """The rows as lines, without those that were replaced."""
-        return [json.dumps(row) for row in self.by_name.values()]
+    def __init__(self, rows):
+        self.by_name = {(row["table"], row["mesh"], row["model"]): row for row in rows if "table" in row}
 
     def rows(self, table, model=None, mesh=None):
         """Those that were measured, or left out, in the order of the run."""
@@ -65,9 +56,9 @@ def is_sphere(mesh):
 def title(mesh):
     """Names a mesh for people."""
     if is_sphere(mesh):
-        return f"bumpy sphere, frequency {mesh}"
+        return f"sphere, {20 * int(mesh) ** 2:,} faces"
     name, _, splits = mesh.partition(":")
-    return name + (f", every face split in {4 ** int(splits)}" if splits else "")
+    return name.removesuffix(".off") + (f", split in {4 ** int(splits)}" if splits else "")
 
 
 def poisson_ratio(row):
