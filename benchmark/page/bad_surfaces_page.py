@@ -57,8 +57,8 @@ def summary(found):
     angles = sorted(row["least_angle"] for row in infos if row["suitable"])
     longest, largest = (max(row[key] for row in found) for key in ("seconds", "memory"))
     return (f"Of {len(infos)} surfaces {len(angles)} are one oriented manifold component without faces of area zero; "
-            f"their least angles are {angles[0]:.1g} to {angles[-1]:.0f} degrees, {angles[len(angles) // 2]:.1g} in the "
-            f"median. The longest run took {longest:.1f} s, the largest {largest:,} MiB. **{fault_list(found)}**")
+            f"their least angles are {angles[0]:.1g} to {angles[-1]:.0f} degrees, {angles[len(angles) // 2]:.1g} in "
+            f"the median. The longest run took {longest:.1f} s, the largest {largest:,} MiB. **{fault_list(found)}**")
 
 
 def blocks(found):

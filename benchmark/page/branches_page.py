@@ -26,8 +26,8 @@ def overall(rows):
     others = [row for row in clear if not is_same(row)]
     named = "; ".join(f"{row['mesh'].removesuffix('.off')} ({row['faces']:,} faces), {row['potential']}, "
                       f"{row['amplitude']}" for row in others)
-    return (f"**{percent(clear, is_same, 1)} of {len(clear)} cases on {len({row['mesh'] for row in rows})} meshes are the "
-            f"same; {count(others, lambda row: row['converged'])} have converged to another vector.** The others: "
+    return (f"**{percent(clear, is_same, 1)} of {len(clear)} cases on {len({row['mesh'] for row in rows})} meshes are "
+            f"the same; {count(others, lambda row: row['converged'])} have converged to another vector.** The others: "
             f"{named}. Of {len(rows)} cases, {len(rows) - len(clear)} are not counted, because their 24 steps are too "
             "long to tell.")
 
@@ -59,7 +59,8 @@ def jumps(rows):
 def sweep_table(rows):
     return table(["mesh", "verified", "move", "jumps", "shifted, at most"], [
         [mesh, f"{count(some, lambda row: row['verified'])} of {len(some)}",
-         extent((row["move"] for row in some), ".4f"), str(len(jumps(some))), f"{max(row['shifted'] for row in some):.0e}"]
+         extent((row["move"] for row in some), ".4f"), str(len(jumps(some))),
+         f"{max(row['shifted'] for row in some):.0e}"]
         for mesh, some in sweeps(rows).items()])
 
 

@@ -38,8 +38,9 @@ class Axis:
     def ticks(self):
         """Powers of ten, with 2 and 5 times them where there are few; else four to nine round numbers."""
         steps = [1] if self.high - self.low > 2.5 else [1, 2, 5]
-        found = [step * 10.0 ** power for power in range(math.floor(self.low) - 1, math.ceil(self.high) + 1)
-                 for step in steps if self.low <= math.log10(step) + power <= self.high] if self.is_log else []
+        powers = range(math.floor(self.low) - 1, math.ceil(self.high) + 1, math.ceil((self.high - self.low) / 8))
+        found = [step * 10.0 ** power for power in powers for step in steps
+                 if self.low <= math.log10(step) + power <= self.high] if self.is_log else []
         return found if len(found) > 2 else round_numbers(*(10 ** v if self.is_log else v
                                                             for v in (self.low, self.high)))
 

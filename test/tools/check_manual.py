@@ -94,7 +94,8 @@ def pictures():
     for picture in sorted((DOC / "figures").iterdir()):
         if picture.name not in shown:
             yield f"doc/figures/{picture.name} is shown on no page"
-        if picture.stem not in drawn and picture.stem.partition("_")[0] + "_{" not in drawn:
+        beginnings = (picture.stem[:found.end()] + "{" for found in re.finditer("_", picture.stem))
+        if picture.stem not in drawn and not any(beginning in drawn for beginning in beginnings):
             yield f"doc/figures/{picture.name} is drawn by no program"
 
 
