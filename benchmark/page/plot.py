@@ -10,7 +10,15 @@ LEFT, RIGHT, TOP, BOTTOM = 84, 230, 40, 50  # the right margin holds the names
 COLORS = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#000000", "#56b4e9",
           "#7f7f7f", "#8b4513", "#6a3d9a", "#b2b200", "#1b7837", "#f781bf"]
 LINE_HEIGHT = 16
-LETTER = 6.6  # mean width
+LETTER = 7  # mean width
+
+
+LEAST = 1e-4  # of an error that is drawn on a logarithmic axis
+
+
+def error(q):
+    """What a quasi-conformal error has above 1, which is perfect."""
+    return max(q - 1, LEAST)
 
 
 def short(value):
@@ -37,7 +45,7 @@ class Axis:
 
     def ticks(self):
         """Powers of ten, with 2 and 5 times them where there are few; else four to nine round numbers."""
-        steps = [1] if self.high - self.low > 2.5 else [1, 2, 5]
+        steps = [1] if self.high - self.low > 3 else [1, 2, 5]
         powers = range(math.floor(self.low) - 1, math.ceil(self.high) + 1, math.ceil((self.high - self.low) / 8))
         found = [step * 10.0 ** power for power in powers for step in steps
                  if self.low <= math.log10(step) + power <= self.high] if self.is_log else []

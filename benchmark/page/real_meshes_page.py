@@ -43,5 +43,5 @@ def blocks(rows):
 
 def figures(rows):
     return {"real_meshes.svg": plot.distributions(
-        {name: [row["q_mean"] for row in some if is_done(row)] for name, some in kinds(rows).items()},
-        "mean quasi-conformal error", "Angles on real meshes", what="meshes")}
+        {name: [plot.error(row["q_mean"]) for row in some if is_done(row)] for name, some in kinds(rows).items()},
+        "mean quasi-conformal error, less 1", "Angles on real meshes", what="meshes")}
