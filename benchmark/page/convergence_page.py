@@ -1,9 +1,9 @@
 # Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-"""The tables and figures of doc/convergence.md."""
+"""doc/convergence.md, from the record of benchmark/measure_convergence."""
 
 from page import plot
 from page.measurements import exponent
-from page.tables import table
+from page.tables import extent, table
 
 CLOSED = ["sphere", "ellipsoid", "torus"]
 NAMES = {"q_mean": "Q mean", "q_p99": "Q 99 %", "q_max": "Q max", "ratio_rms": "cross-ratio rms",
@@ -65,68 +65,28 @@ def small_steps(series):
 
 def slopes(series, key, by="h"):
     """Of all meshes, and of the two finest."""
-    if key not in series[0]:
-        return ""
     return f"{series.slope(key, by):.2f} ({series.last_slope(key, by):.2f})"
 
 
 def space_table(results):
+    """The slopes in the edge length of all cases, by the kind of mesh."""
     keys = ["q_mean", "q_p99", "q_max", "ratio_rms", "ratio_max", "shape"]
-    rows = []
-    for case in results.cases("surface", "mesh", "potential", table="space"):
-        series = results.space(*case)
-        faces = f"{series[0]['faces']:,} to {series[-1]['faces']:,}"
-        rows.append([", ".join(case), faces, f"{series[-1]['q_mean']:.1e}",
-                     *(slopes(series, key) for key in keys)])
-    return table(["surface, mesh, rho", "faces", "Q mean - 1 at last",
-                  *(NAMES[key] for key in keys)], rows)
-
-
-def exact_table(results):
-    """What the exact images of the vertices have, beside what is computed."""
-    rows = []
-    for case in results.cases("surface", "mesh", "potential", table="space"):
-        series = results.space(*case)
-        if "exact_q_mean" in series[0]:
-            last = series[-1]
-            rows.append([", ".join(case)] + [f"{last[prefix + key]:.2e}"
-                                             for key in ("q_mean", "q_max", "ratio_rms")
-                                             for prefix in ("", "exact_")])
-    return table(["finest mesh", "Q mean - 1", "exact", "Q max - 1", "exact", "cross-ratio rms",
-                  "exact"], rows)
+    lines = []
+    for mesh in dict.fromkeys(case[1] for case in results.cases("surface", "mesh", "potential", table="space")):
+        found = [results.space(*case)
+                 for case in results.cases("surface", "mesh", "potential", table="space", mesh=mesh)]
+        lines.append([mesh, str(len(found)), *(extent(series.slope(key, "h") for series in found if key in series[0])
+                                               for key in keys)])
+    return table(["mesh", "cases", *(NAMES[key] for key in keys)], lines)
 
 
 def curvature_table(results):
-    rows = []
-    for case in results.cases("surface", "mesh", "potential", table="space"):
-        series = results.space(*case)
-        if "curvature" in series[0]:
-            rows.append([", ".join(case), *(f"{series[-1][key]:.1e}" + f", slope {slopes(series, key)}"
-                                            for key in ("curvature", "source_curvature"))])
-    return table(["surface, mesh, rho", "of the result", "of the mesh before"], rows)
-
-
-def step_table(results):
-    rows = []
-    for surface, constraints in results.cases("surface", "constraints", table="step"):
-        series = results.step(surface, constraints)
-        rows.append([surface, constraints, f"{series[0]['faces']:,}",
-                     f"{series[0]['q_mean']:.1e} to {series[-1]['q_mean']:.1e}",
-                     *(slopes(series, key, "tau") for key in ("q_mean", "q_max", "ratio_rms")),
-                     f"{series[0]['gap']:.1e} to {series[-1]['gap']:.1e}",
-                     slopes(series, "gap", "tau")])
-    return table(["surface", "constraints", "faces", "Q mean - 1", "slope", "of Q max",
-                  "of cross-ratio rms", "gap", "slope"], rows)
-
-
-def unit_time_table(results, surfaces, constraints):
-    rows = [[row["surface"], f"{row['faces']:,}", f"1/{round(1 / row['tau'])}",
-             *(f"{row[key]:.2e}" for key in ("q_mean", "ratio_rms", "gap", "q_to_limit")),
-             f"{row['energy']:.4g}"]
-            for surface in surfaces
-            for row in results.series(table="unit time", surface=surface, constraints=constraints)]
-    return table(["surface", "faces", "tau", "Q mean - 1", "cross-ratio rms", "gap, summed",
-                  "Q mean - 1 to the limit", "energy"], rows)
+    """Of the result, and of the mesh before."""
+    keys = ("curvature", "source_curvature")
+    return table(["surface, mesh, rho", "of the result", "of the mesh before"], [
+        [", ".join(case), *(f"{series[-1][key]:.1e}, slope {slopes(series, key)}" for key in keys)]
+        for case in results.cases("surface", "mesh", "potential", table="space")
+        for series in [results.space(*case)] if "curvature" in series[0]])
 
 
 def verdict(value, wanted, tolerance):
@@ -168,7 +128,7 @@ def figure(curves, exponents, by, labels):
         points = curves[curve][1].points(curves[curve][2], by)
         dashed.append(f"slope {exponent_}")
         lines[dashed[-1]] = plot.power(every, 1.6 * max(points)[1], exponent_)
-    return plot.log_log(lines, *labels, dashed)
+    return plot.curves(lines, *labels, dashed)
 
 
 def space_figures(results):
@@ -223,3 +183,32 @@ def time_figures(results):
             gaps, {1: 0, 2: 3}, "tau",
             ("time step", "gap around the hole", "Annulus, one step, with and without constraints")),
     }
+
+
+def numbers(results):
+    """Of the flow, and of irregular boundaries."""
+    unit = small_steps(results.unit_time("genus 3", ADJOINT))
+    smallest = min(row["tau"] for row in results.series(table="step"))
+    disk = [results.space("disk, tangents", mesh, "constant").slope("ratio_rms", "h")
+            for mesh in ("irregular", "irregular inside")]
+
+    def last(constraints, key):
+        return " and ".join(f"{row[key]:.1e} at h = {row['h']:.3f}" for row in results.series(
+            table="step", surface="genus 3", constraints=constraints, tau=smallest))
+
+    return table(["what", "found"], [
+        ["slope of the cross-ratio: irregular boundary, only irregular inside", f"{disk[0]:.2f}, {disk[1]:.2f}"],
+        ["Q mean - 1 of the smallest step, with constraints", last(ADJOINT, "q_mean")],
+        ["gap of the smallest step, with the thesis' constraints", last(THESIS, "gap")],
+        ["slopes in tau from time 0 to 1: Q to the limit, gap, Q above the limit",
+         ", ".join(slopes(unit, key, "tau") for key in ("q_to_limit", "gap", "q_above"))]])
+
+
+def blocks(rows):
+    results = Results(rows)
+    return {"targets": target_table(results), "space": space_table(results), "curvature": curvature_table(results),
+            "numbers": numbers(results)}
+
+
+def figures(rows):
+    return {**space_figures(Results(rows)), **time_figures(Results(rows))}
