@@ -1,0 +1,24 @@
+# Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+"""doc/new_user.md, from the record of benchmark/new_user."""
+
+from page import plot
+from page.tables import grouped, table
+
+
+def blocks(rows):
+    return {"steps": table(["way", "seconds"], [
+        [way, "; ".join(f"{row['step']} {row['seconds']:.0f}" for row in some)]
+        for (way,), some in grouped(rows, "way").items()])}
+
+
+def kind(row):
+    words = ("library", "module", "quickstart", "compile")
+    return next((word for word in words if word in row["step"]), "run and draw")
+
+
+def figures(rows):
+    seconds = {}
+    for row in rows:
+        way = seconds.setdefault(row["way"], {})
+        way[kind(row)] = way.get(kind(row), 0) + round(row["seconds"])
+    return {"new_user.svg": plot.bars(seconds, "Seconds to the first picture, by way")}
