@@ -99,6 +99,23 @@ def check_drawing():
         yield f"names overlap or leave the plot: {heights}"
 
 
+def elements(svg, name):
+    return [element for element in xml.etree.ElementTree.fromstring(svg).iter("{http://www.w3.org/2000/svg}" + name)]
+
+
+def check_rows():
+    """Bars are as wide as they are many, dots lie in the order of their values, ticks are round."""
+    widths = [float(bar.get("width")) for bar in elements(plot.bars({"row": {"a": 1, "b": 3}}, "title"), "rect")][1:]
+    if abs(widths[1] - 3 * widths[0]) > 0.2:
+        yield f"bars of 1 and 3 are {widths} wide"
+    dots = [float(dot.get("cx")) for dot in elements(plot.dots({"row": {"a": 1, "b": 10, "c": 100}}, "x", "title"),
+                                                     "circle")][3:]
+    if not dots[0] < dots[1] < dots[2] or abs(dots[2] - 2 * dots[1] + dots[0]) > 0.2:
+        yield f"dots of 1, 10 and 100 are at {dots}"
+    if plot.round_numbers(0.9, 6.1) != [1, 2, 3, 4, 5, 6] or list(plot.steps([2, 1]))[-1] != (2, 100):
+        yield "round numbers or shares are wrong"
+
+
 def check_page():
     blocks = performance_page.blocks(ROWS)
     if "| **not met** |" not in blocks["targets"] or "10 of 16 targets" not in blocks["met"]:
@@ -109,5 +126,5 @@ def check_page():
 
 if __name__ == "__main__":
     measured = Measurements(ROWS)
-    sources.finish([*check_numbers(measured), *check_verdicts(measured), *check_drawing(),
+    sources.finish([*check_numbers(measured), *check_verdicts(measured), *check_drawing(), *check_rows(),
                     *check_page()], "the page of measurements")
