@@ -1,20 +1,26 @@
 #!/usr/bin/env python3
 # Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 """README, gallery and manual fit the sources: the README's program is the example first_program,
-files in backticks and links exist, links lead to headings that exist, the README is short, every
-measured page is in the index of evidence with numbers that it has, every example and named
-parameter is in the manual, every picture is shown on a page and drawn by a program, and the version
-is the same everywhere. What is installed was built before.
+files in backticks and links exist, links lead to headings that exist, README and doc/ are short, every
+measured page is what its data give, has a picture, and is in the index of evidence with numbers that it
+has, every example and named parameter is in the manual, every picture is shown on a page and drawn by a
+program, and the version is the same everywhere. What is installed was built before.
 """
 
 import re
+import sys
 
 import check_thesis_map
 import sources
 
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(sources.ROOT / "benchmark"))
+from page import pages  # noqa: E402
+
 DOC = sources.ROOT / "doc"
 PAGES = ["README.md", "doc/overview.md", "doc/gallery.md", "doc/CHANGELOG.md", "doc/evidence.md"]
 LONGEST_README = 400  # words
+LONGEST_DOC = 45_000  # words of all pages in doc/, which must not grow again
 LINK = re.compile(r"\]\((?!https?:)([^)#]*)(?:#([^)]+))?\)")
 MEASURED = re.compile(r"(Written by|Measured\W+by|^)\s*`benchmark/\w+`", re.MULTILINE)
 ROW = re.compile(r"^\| \[[^]]+\]\((\w+\.md)\) \| (.*) \|$", re.MULTILINE)
@@ -51,18 +57,23 @@ def links():
                 yield f"{page}: {target} has no heading {heading}"
 
 
-def readme():
-    words = len(check_thesis_map.read("README.md").split())
-    if words > LONGEST_README:
-        yield f"README.md: {words} words, more than {LONGEST_README}"
+def lengths():
+    for name, paths, most in (("README.md", [sources.ROOT / "README.md"], LONGEST_README),
+                              ("doc/", DOC.rglob("*.md"), LONGEST_DOC)):
+        words = sum(len(path.read_text(encoding="utf-8").split()) for path in paths)
+        if words > most:
+            yield f"{name}: {words} words, more than {most}"
 
 
 def evidence():
     results = dict(ROW.findall(check_thesis_map.read("doc/evidence.md")))
     for path in sorted(DOC.glob("*.md")):
         text = path.read_text(encoding="utf-8")
-        if MEASURED.search(text) and path.name not in results and path.name != "evidence.md":
-            yield f"doc/evidence.md: without {path.name}"
+        if MEASURED.search(text) and path.name != "evidence.md":
+            if path.name not in results:
+                yield f"doc/evidence.md: without {path.name}"
+            if "](figures/" not in text:
+                yield f"doc/{path.name}: measurements without a picture"
     for page, result in results.items():
         text = (DOC / page).read_text(encoding="utf-8") if (DOC / page).exists() else ""
         for number in NUMBER.findall(result):
@@ -124,9 +135,10 @@ def complaints():
     yield from the_program()
     for page in PAGES:
         yield from check_thesis_map.names_that_do_not_exist(page)
-    yield from readme()
+    yield from lengths()
     yield from links()
     yield from evidence()
+    yield from pages.stale()
     yield from examples()
     yield from named_parameters()
     yield from pictures()
