@@ -41,7 +41,7 @@ EXAMPLES = {
     "Python function `snap_to_conformal_class`": r"\bsnap_to_conformal_class\b",
 }
 PLACES = ("include", "examples/conformal", "examples/python", "doc", "test", "benchmark")
-RECORDS = {".jsonl", ".json", ".png", ".svg", ".ipynb"}  # what was measured or drawn
+RECORDS = {".jsonl", ".gz", ".json", ".png", ".svg", ".ipynb"}  # what was measured or drawn
 
 
 def split_row(line):
