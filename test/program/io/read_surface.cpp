@@ -69,8 +69,9 @@ TEST(Read_surface, names_what_is_no_mesh)
   for (const auto& [text, message] : files) EXPECT_EQ(refusal(text, "a"), message);
   EXPECT_EQ(refusal("hello", "a.off"), "a.off: is not an OFF file: it begins with 'hello'");
   EXPECT_EQ(refusal("hello", "a.ply"), "a.ply: is not a PLY file: it begins with 'hello'");
-  EXPECT_EQ(refusal("hello", "a.obj"),
-            "a.obj:1: 'hello' is no word of an OBJ file, wanted v, vt, vn, f, ...");
+  EXPECT_EQ(
+      refusal("hello", "a.obj"),
+      "a.obj:1: no vertices, wanted a surface; left out: 'hello' statements (1, first: line 1)");
 }
 
 TEST(Read_surface, reads_a_file_of_any_name)

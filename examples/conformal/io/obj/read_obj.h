@@ -10,9 +10,8 @@ namespace conformal {
 
 /// Reads the polygons of an OBJ file: `v` with colours, `vt`, `vn`, `f` with absolute or relative
 /// indices, lines continued by a backslash. `g o s usemtl mtllib` and the like are kept with the
-/// face that they precede, comments on lines of their own are kept; points, lines and free-form
-/// curves and surfaces are not read. A word that OBJ does not define is an error, since it may be a
-/// damaged face. O(bytes). \throws Read_error
+/// face that they precede, comments on lines of their own are kept. All other statements, and
+/// attributes that are not as they should be, are `Left_out`. O(bytes). \throws Read_error
 Surface_file read_obj(const std::string& path);
 
 /// the same from memory; `path` is for messages
