@@ -82,6 +82,44 @@ TEST(Read_ply, accepts_carriage_returns_and_a_byte_order_mark)
   EXPECT_EQ(parse_ply(text, "a.ply").points[2], (Point{0, 1, 0}));
 }
 
+/// The header with other line ends, and then the data
+std::string with_ends(const std::string& text, const std::string& first, const std::string& middle,
+                      const std::string& last)
+{
+  const std::size_t data = text.find("end_header\n") + 11;
+  std::string header;
+  for (std::size_t i = 0; i < data; ++i)
+    header += text[i] != '\n' ? std::string(1, text[i])
+              : i == 3        ? first
+              : i + 1 == data ? last
+                              : middle;
+  return header + text.substr(data);
+}
+
+TEST(Read_ply, accepts_any_end_of_each_line_of_the_header)
+{
+  const std::string lf = "\n", cr = "\r", both = "\r\n";
+  for (const std::string& text : {triangle, fuzz::binary_ply(false)})
+    for (const auto& ends : {std::array{both, both, both},
+                             {lf, lf, both},
+                             {lf, both, both},
+                             {lf, both, lf},
+                             {both, lf, lf},
+                             {cr, cr, cr},
+                             {lf, lf, cr}}) {
+      const Surface_file file = parse_ply(with_ends(text, ends[0], ends[1], ends[2]), "a.ply");
+      EXPECT_EQ(file.points, parse_ply(text, "a.ply").points);
+    }
+}
+
+TEST(Read_ply, takes_no_byte_of_the_data_for_a_line_end)
+{
+  std::string text = fuzz::binary_ply(false);
+  text[text.find("end_header\n") + 11] = '\n';  // of the first coordinate
+  const Surface_file file = parse_ply(with_ends(text, "\r", "\r", "\r"), "a.ply");
+  EXPECT_EQ(file.points, parse_ply(text, "a.ply").points);
+}
+
 TEST(Read_ply, accepts_the_name_vertex_index_and_rows_over_several_lines)
 {
   EXPECT_EQ(corners(parse_ply(replaced(triangle, "vertex_indices", "vertex_index"), "a.ply"), 0),
@@ -116,7 +154,7 @@ TEST(Read_ply, leaves_out_undeclared_columns_with_a_note)
 TEST(Read_ply, refuses_bad_headers_with_their_line)
 {
   EXPECT_EQ(refusal("plx\n"), "a.ply:1: the first line is not ply, wanted a PLY file");
-  EXPECT_EQ(refusal("ply"), "a.ply:1: no line ends, wanted a PLY header");
+  EXPECT_EQ(refusal("ply"), "a.ply:1: the file ends in the header, wanted end_header");
   EXPECT_EQ(refusal(ascii), "a.ply:3: the file ends in the header, wanted end_header");
   EXPECT_EQ(refusal("ply\nend_header\n"),
             "a.ply:2: no format line in the header, wanted format ascii 1.0 or the like");

@@ -43,24 +43,18 @@ class Header_reader {
     throw Read_error(m_path, m_header.lines, message);
   }
 
-  // The first line determines the line end; if both were accepted everywhere, the first byte of the
-  // data might be taken for the second one of a line end.
-  void find_line_end()
-  {
-    const std::size_t end = m_bytes.find_first_of("\r\n");
-    if (end == std::string_view::npos)
-      throw Read_error(m_path, 1, "no line ends, wanted a PLY header");
-    m_line_end = m_bytes.substr(end, m_bytes.substr(end, 2) == "\r\n" ? 2 : 1);
-  }
-
+  // Each line ends in its own way, since programs that copy headers mix them. After a line that
+  // ends with CR alone, an LF behind CR is no part of the line end: it may be the first of the
+  // data.
   std::string_view next_line()
   {
-    if (m_line_end.empty()) find_line_end();
-    const std::size_t end = m_bytes.find(m_line_end, m_header.bytes);
+    const std::size_t end = m_bytes.find_first_of("\r\n", m_header.bytes);
     ++m_header.lines;
     if (end == std::string_view::npos) fail("the file ends in the header, wanted end_header");
+    const bool is_two = !m_only_cr && m_bytes.substr(end, 2) == "\r\n";
+    m_only_cr = m_bytes[end] == '\r' && !is_two;
     const std::string_view line = m_bytes.substr(m_header.bytes, end - m_header.bytes);
-    m_header.bytes = end + m_line_end.size();
+    m_header.bytes = end + (is_two ? 2 : 1);
     return line;
   }
 
@@ -146,7 +140,8 @@ class Header_reader {
       element.properties.emplace_back(name, type);
   }
 
-  std::string_view m_bytes, m_line_end;
+  std::string_view m_bytes;
+  bool m_only_cr = false;  // the line before ends so
   const std::string& m_path;
   Ply_header m_header;
 };
