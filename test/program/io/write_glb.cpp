@@ -147,11 +147,13 @@ TEST(Write_glb, refuses_coordinates_that_are_no_floats)
 TEST(Write_glb, notes_what_the_format_has_no_place_for)
 {
   Surface_file file = parse_obj(square + "g a\nusemtl red\nf 1 2 3 4\n", "a.obj");
-  set_property(file.vertices, "quality", std::vector<float>(4, 0.0f));
+  set_property(file.vertices, "quality", std::vector<float>{0, 0, 0, NAN});
   std::vector<std::string> notes;
   encode_glb(file, "a.glb", notes);
-  EXPECT_EQ(notes, (std::vector<std::string>{"the vertex property quality is not written to GLB",
-                                             "groups and materials are not written to GLB"}));
+  EXPECT_EQ(notes,
+            (std::vector<std::string>{"the vertex property quality is not written to GLB",
+                                      "groups and materials are not written to GLB",
+                                      "polygons, but their triangles, are not written to GLB"}));
 }
 
 TEST(Checkerboard, is_a_png_of_stored_rows)

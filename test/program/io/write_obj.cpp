@@ -54,7 +54,10 @@ TEST(Write_obj, notes_what_the_format_has_no_place_for)
   encode_obj(parse_ply(fuzz::ply_seeds()[0], "a.ply"), notes);
   encode_obj(parse_ply(fuzz::binary_ply(false), "a.ply"), notes);
   EXPECT_EQ(notes, (std::vector<std::string>{"the vertex property quality is not written to OBJ",
+                                             "the vertex property texture_u is not written to OBJ",
+                                             "the vertex property texture_v is not written to OBJ",
                                              "the face property label is not written to OBJ",
+                                             "lines obj_info are not written to OBJ",
                                              "the element edge is not written to OBJ"}));
 }
 

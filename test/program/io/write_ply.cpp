@@ -146,7 +146,7 @@ TEST(Write_ply, writes_normals_of_vertices_and_notes_what_it_leaves_out)
   encode_ply(parse_obj(points + "g a\nf 1//1 2//1 3//2\nf 1//2 3//2 4//1\n", "a.obj"),
              Ply_encoding::ascii, notes);
   EXPECT_EQ(notes, (std::vector<std::string>{
-                       "normals that differ at the corners of a vertex are not written",
+                       "normals that differ at the corners of a vertex are not written to PLY",
                        "groups and materials are not written to PLY"}));
 }
 

@@ -5,7 +5,7 @@
 
 namespace conformal {
 
-void Left_out::add(std::string_view what, std::string_view noun, std::size_t number)
+void Left_out::add(std::string_view what, const std::string& where)
 {
   constexpr std::size_t most = 10;  // a file that is no mesh may have any number of kinds
   const auto is_same = [what](const Kind& kind) { return kind.what == what; };
@@ -15,16 +15,17 @@ void Left_out::add(std::string_view what, std::string_view noun, std::size_t num
   else if (m_kinds.size() > most)
     ++m_kinds.back().count;
   else
-    m_kinds.push_back({std::string(m_kinds.size() < most ? what : "other things"),
-                       std::string(noun) + ' ' + std::to_string(number), 1});
+    m_kinds.push_back({std::string(m_kinds.size() < most ? what : "other things"), where, 1});
 }
 
 std::vector<std::string> Left_out::notes() const
 {
   std::vector<std::string> notes;
   for (const Kind& kind : m_kinds)
-    notes.push_back("left out: " + kind.what + " (" + std::to_string(kind.count) +
-                    ", first: " + kind.first + ')');
+    notes.push_back("left out: " + kind.what +
+                    (kind.first.empty()
+                         ? ""
+                         : " (" + std::to_string(kind.count) + ", first: " + kind.first + ')'));
   return notes;
 }
 

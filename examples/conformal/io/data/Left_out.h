@@ -15,8 +15,8 @@ namespace conformal {
 /// does not know are left out, with a note.
 class Left_out {
  public:
-  /// \param noun, number the place, as in `line 7`
-  void add(std::string_view what, std::string_view noun, std::size_t number);
+  /// \param where as in `line 7`; empty for what is there once
+  void add(std::string_view what, const std::string& where);
 
   std::vector<std::string> notes() const;
 

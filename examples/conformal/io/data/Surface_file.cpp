@@ -38,6 +38,21 @@ std::vector<const Property*> color_properties(const Element& element)
   return colors;
 }
 
+std::vector<const Property*> normal_properties(const Element& element)
+{
+  std::vector<const Property*> normals;
+  for (const char* name : {"nx", "ny", "nz"})
+    if (const Property* property = find_numbers(element, name)) normals.push_back(property);
+  return normals.size() == 3 ? normals : std::vector<const Property*>();
+}
+
+std::vector<std::string> names_of(const std::vector<const Property*>& properties)
+{
+  std::vector<std::string> names;
+  for (const Property* property : properties) names.push_back(property->name());
+  return names;
+}
+
 void set_properties(Element& element, const std::vector<std::string>& names, Value_type type,
                     const std::vector<double>& values)
 {

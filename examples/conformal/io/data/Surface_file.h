@@ -77,6 +77,12 @@ struct Surface_file {
 /// the element has no colours.
 std::vector<const Property*> color_properties(const Element& element);
 
+/// The properties `nx ny nz`, or none if one of them is not there
+std::vector<const Property*> normal_properties(const Element& element);
+
+/// their names
+std::vector<std::string> names_of(const std::vector<const Property*>& properties);
+
 /// Adds the properties of that many names with `values[row * names.size() + i]`.
 void set_properties(Element& element, const std::vector<std::string>& names, Value_type type,
                     const std::vector<double>& values);

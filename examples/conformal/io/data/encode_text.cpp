@@ -28,16 +28,4 @@ std::string on_one_line(std::string text)
   return text;
 }
 
-void note_lost_properties(const Element& element, const std::vector<std::string_view>& numbers,
-                          const std::vector<std::string_view>& lists, const char* format,
-                          std::vector<std::string>& notes)
-{
-  for (const Property& property : element.properties) {
-    const auto& written = property.is_list() ? lists : numbers;
-    if (std::find(written.begin(), written.end(), property.name()) == written.end())
-      notes.push_back("the " + element.name + " property " + property.name() +
-                      " is not written to " + format);
-  }
-}
-
 }  // namespace conformal

@@ -6,8 +6,6 @@
 #include "conformal/io/file/numbers.h"
 
 #include <string>
-#include <string_view>
-#include <vector>
 
 namespace conformal {
 
@@ -19,11 +17,5 @@ void append_word(std::string& text, double value);
 
 /// the text with blanks for line ends
 std::string on_one_line(std::string text);
-
-/// A note for each property of an element that is not written: one of numbers or of lists whose
-/// name is not among these.
-void note_lost_properties(const Element& element, const std::vector<std::string_view>& numbers,
-                          const std::vector<std::string_view>& lists, const char* format,
-                          std::vector<std::string>& notes);
 
 }  // namespace conformal

@@ -68,16 +68,23 @@ Corner_values from_faces(const Surface_file& file, const Property& list)
 
 }  // namespace
 
+std::vector<std::string> texture_properties(const Surface_file& file)
+{
+  if (!file.texture.index.empty()) return {};
+  if (find_list(file.faces, list_name) != nullptr) return {list_name};
+  for (const auto& [u, v] : vertex_names)
+    if (find_numbers(file.vertices, u) != nullptr && find_numbers(file.vertices, v) != nullptr)
+      return {u, v};
+  return {};
+}
+
 Corner_values texture_coordinates(const Surface_file& file)
 {
-  if (!file.texture.index.empty()) return file.texture;
-  if (const Property* list = find_list(file.faces, list_name)) return from_faces(file, *list);
-  for (const auto& [u_name, v_name] : vertex_names) {
-    const Property* u = find_numbers(file.vertices, u_name);
-    const Property* v = find_numbers(file.vertices, v_name);
-    if (u != nullptr && v != nullptr) return from_vertices(file, *u, *v);
-  }
-  return {};
+  const std::vector<std::string> names = texture_properties(file);
+  if (names.empty()) return file.texture.index.empty() ? Corner_values() : file.texture;
+  if (names.size() == 1) return from_faces(file, *find_list(file.faces, names[0]));
+  return from_vertices(file, *find_numbers(file.vertices, names[0]),
+                       *find_numbers(file.vertices, names[1]));
 }
 
 void set_texture_coordinates(Surface_file& file, Corner_values values)

@@ -14,6 +14,9 @@ namespace conformal {
 /// there are none.
 Corner_values texture_coordinates(const Surface_file& file);
 
+/// The names of the properties that it takes: one of the faces, two of the vertices, or none.
+std::vector<std::string> texture_properties(const Surface_file& file);
+
 /// Replaces all texture coordinates, one row per vertex or with seams; empty ones remove them.
 /// \pre `values.index` has one entry for every corner
 void set_texture_coordinates(Surface_file& file, Corner_values values);

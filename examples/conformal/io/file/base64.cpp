@@ -4,10 +4,15 @@
 #include <algorithm>
 
 namespace conformal {
+namespace {
+
+constexpr std::string_view digits =
+    "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+
+}  // namespace
 
 std::string base64(std::string_view bytes)
 {
-  const char* const digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string text;
   text.reserve((bytes.size() + 2) / 3 * 4);
   for (std::size_t i = 0; i < bytes.size(); i += 3) {
@@ -19,6 +24,24 @@ std::string base64(std::string_view bytes)
       text += k <= count ? digits[bits >> (18 - 6 * k) & 63u] : '=';
   }
   return text;
+}
+
+std::string from_base64(std::string_view text)
+{
+  std::string bytes;
+  bytes.reserve(text.size() / 4 * 3);
+  text = text.substr(0, text.find_last_not_of('=') + 1);
+  unsigned bits = 0, count = 0;  // the bits that are no whole byte yet are the lowest `count`
+  for (const char c : text) {
+    const std::size_t digit = digits.find(c);
+    if (digit == digits.npos) return {};
+    bits = bits << 6 | static_cast<unsigned>(digit);
+    count += 6;
+    if (count < 8) continue;
+    count -= 8;
+    bytes += static_cast<char>(static_cast<unsigned char>(bits >> count));
+  }
+  return bytes;
 }
 
 }  // namespace conformal

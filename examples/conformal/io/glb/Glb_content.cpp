@@ -1,8 +1,11 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include "Glb_content.h"
 
+#include "conformal/io/file/base64.h"
+#include "conformal/io/file/checked_bytes.h"
 #include "conformal/io/file/io_errors.h"
 #include "conformal/io/file/little_endian.h"
+#include "conformal/io/file/numbers.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -10,13 +13,18 @@
 #include <map>
 
 namespace conformal {
+
+/// how the numbers of a table are stored
+struct Glb_numbers {
+  std::size_t size;  // bytes of one
+  double (*read)(const char* bytes, bool is_normalized);
+  std::size_t width = 1;  // numbers in a row
+  bool is_normalized = false;
+};
+
 namespace {
 
-/// the size of a number, and its value as a double
-struct Component_type {
-  std::size_t size;
-  double (*read)(const char* bytes, bool is_normalized);
-};
+using Json = nlohmann::json;
 
 template <class Number>
 double read_number(const char* bytes, bool is_normalized)
@@ -27,25 +35,28 @@ double read_number(const char* bytes, bool is_normalized)
 }
 
 template <class Number>
-Component_type component_type()
+Glb_numbers numbers()
 {
   return {sizeof(Number), read_number<Number>};
 }
 
-Component_type component_type(int number)
+// null where the type is unknown
+const Glb_numbers* find_numbers(int type)
 {
-  static const std::map<int, Component_type> all = {
-      {5120, component_type<std::int8_t>()},   {5121, component_type<std::uint8_t>()},
-      {5122, component_type<std::int16_t>()},  {5123, component_type<std::uint16_t>()},
-      {5125, component_type<std::uint32_t>()}, {5126, component_type<float>()}};
-  return all.at(number);
+  static const std::map<int, Glb_numbers> all = {
+      {5120, numbers<std::int8_t>()},   {5121, numbers<std::uint8_t>()},
+      {5122, numbers<std::int16_t>()},  {5123, numbers<std::uint16_t>()},
+      {5125, numbers<std::uint32_t>()}, {5126, numbers<float>()}};
+  const auto found = all.find(type);
+  return found == all.end() ? nullptr : &found->second;
 }
 
-std::size_t dimension(const std::string& type)
+// 0 where the type is unknown
+std::size_t width_of(const std::string& type)
 {
-  static const std::map<std::string, std::size_t> all = {
-      {"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4}};
-  return all.at(type);
+  const std::array<const char*, 4> names = {"SCALAR", "VEC2", "VEC3", "VEC4"};
+  const auto found = std::find(names.begin(), names.end(), type);
+  return found == names.end() ? 0 : static_cast<std::size_t>(found - names.begin()) + 1;
 }
 
 /// Takes a chunk of the type from the beginning of the bytes.
@@ -61,57 +72,140 @@ std::string_view take_chunk(std::string_view& bytes, std::string_view type)
 
 }  // namespace
 
-Glb_content::Glb_content(std::string_view bytes, const std::string& path) : m_path(path)
+void Glb_content::fail(const std::string& message) const
+{
+  throw Read_error(m_path, 0, message);
+}
+
+void Glb_content::refuse_item() const
+{
+  fail("is not a GLB file: " + m_item + " is not as glTF 2.0 defines it");
+}
+
+Glb_content::Glb_content(std::string_view bytes, const std::string& path)
+    : m_path(path), m_size(bytes.size())
 {
   if (bytes.size() < 12 || little_endian<std::uint32_t>(bytes.data() + 4) != 2)
-    throw Read_error(path, 0, "is not a GLB file of version 2");
+    fail("is not a GLB file of version 2");
   bytes.remove_prefix(12);
   const std::string_view text = take_chunk(bytes, "JSON");
-  if (text.empty()) throw Read_error(path, 0, "is not a whole GLB file: the JSON chunk is cut off");
-  m_json = nlohmann::json::parse(text);
-  m_binary = take_chunk(bytes, std::string_view("BIN\0", 4));
-  if (m_json.contains("extensionsRequired") && !m_json["extensionsRequired"].empty())
-    throw Read_error(path, 0,
-                     "needs the extension " + m_json["extensionsRequired"][0].get<std::string>() +
-                         ", wanted GLB without extensions");
+  if (text.empty()) fail("is not a whole GLB file: the JSON chunk is cut off");
+  try {
+    m_json = Json::parse(text);
+    if (!m_json.is_object()) refuse_item();
+    m_binary = take_chunk(bytes, std::string_view("BIN\0", 4));
+    check_extensions();
+    decode_buffers();
+  } catch (const Json::parse_error& error) {
+    fail("is not a GLB file: byte " + std::to_string(error.byte) +
+         " of its JSON chunk is not as JSON defines it");
+  } catch (const Json::exception&) {
+    refuse_item();
+  }
+}
+
+// Those of materials concern looks, which are left out; quantized numbers are read as any.
+void Glb_content::check_extensions() const
+{
+  for (const Json& extension : m_json.value("extensionsRequired", Json::array())) {
+    const auto name = extension.get<std::string>();
+    if (name != "KHR_mesh_quantization" && !starts_with(name, "KHR_materials_") &&
+        !starts_with(name, "KHR_texture_") && !starts_with(name, "KHR_lights_"))
+      fail("needs the extension " + name + ", wanted GLB without extensions");
+  }
+}
+
+void Glb_content::decode_buffers()
+{
+  const std::size_t count = m_json.value("buffers", Json::array()).size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto uri = item("buffers", i).value("uri", std::string());
+    const std::size_t comma = starts_with(uri, "data:") ? uri.find(";base64,") : uri.npos;
+    m_decoded.push_back(comma == uri.npos ? "" : from_base64(uri.substr(comma + 8)));
+  }
+}
+
+const Json& Glb_content::item(const std::string& list, std::size_t index) const
+{
+  m_item = list + '[' + std::to_string(index) + ']';
+  const auto found = m_json.find(list);
+  if (found == m_json.end() || !found->is_array() || index >= found->size())
+    fail("is not a whole GLB file: " + m_item + " is not there");
+  return (*found)[index];
+}
+
+std::string_view Glb_content::buffer(std::size_t index) const
+{
+  const Json& buffer = item("buffers", index);
+  if (!buffer.contains("uri")) return m_binary;
+  if (m_decoded[index].empty())
+    fail(m_item + " is at " + in_quotes(buffer["uri"].get<std::string>()) +
+         ", wanted a GLB file that holds all its data");
+  return m_decoded[index];
 }
 
 std::string_view Glb_content::view(std::size_t index) const
 {
-  const nlohmann::json& view = m_json.at("bufferViews").at(index);
+  const Json& view = item("bufferViews", index);
   const std::size_t begin = view.value("byteOffset", std::size_t{0});
   const std::size_t size = view.at("byteLength").get<std::size_t>();
-  if (view.at("buffer").get<int>() != 0 || begin > m_binary.size() ||
-      size > m_binary.size() - begin)
-    throw Read_error(m_path, 0,
-                     "is not a whole GLB file: buffer view " + std::to_string(index) +
-                         " is not in its binary chunk");
-  return m_binary.substr(begin, size);
+  const std::string_view bytes = buffer(view.at("buffer").get<std::size_t>());
+  if (begin > bytes.size() || size > bytes.size() - begin)
+    fail("is not a whole GLB file: " + m_item + " ends before bufferViews[" +
+         std::to_string(index) + ']');
+  return bytes.substr(begin, size);
 }
 
-std::vector<std::array<double, 4>> Glb_content::rows(std::size_t accessor) const
+Glb_content::Rows Glb_content::rows(const Json& place, const Glb_numbers& numbers,
+                                    std::size_t count) const
 {
-  const nlohmann::json& table = m_json.at("accessors").at(accessor);
-  const std::size_t index = table.at("bufferView").get<std::size_t>();
+  const std::size_t index = place.at("bufferView").get<std::size_t>();
   const std::string_view bytes = view(index);
-  const Component_type component = component_type(table.at("componentType").get<int>());
-  const std::size_t width = dimension(table.at("type").get<std::string>());
-  const std::size_t begin = table.value("byteOffset", std::size_t{0});
-  const std::size_t count = table.at("count").get<std::size_t>(), size = width * component.size;
-  const std::size_t stride = m_json["bufferViews"][index].value("byteStride", size);
+  const std::size_t begin = place.value("byteOffset", std::size_t{0});
+  const std::size_t size = numbers.width * numbers.size;
+  const std::size_t stride = item("bufferViews", index).value("byteStride", size);
   const bool fits = stride > 0 && count <= bytes.size() / stride + 1 && begin <= bytes.size() &&
                     (count == 0 || stride * (count - 1) + size <= bytes.size() - begin);
-  if (!fits || table.contains("sparse"))
-    throw Read_error(m_path, 0,
-                     "accessor " + std::to_string(accessor) +
-                         " does not fit into its buffer view, or is sparse");
-  const bool is_normalized = table.value("normalized", false);
-  std::vector<std::array<double, 4>> rows(count, {0, 0, 0, 0});
+  if (!fits) fail(m_item + " is too short for " + std::to_string(count) + " rows");
+  Rows rows(count, {0, 0, 0, 0});
   for (std::size_t i = 0; i < count; ++i)
-    for (std::size_t k = 0; k < width; ++k)
+    for (std::size_t k = 0; k < numbers.width; ++k)
       rows[i][k] =
-          component.read(bytes.data() + begin + stride * i + component.size * k, is_normalized);
+          numbers.read(bytes.data() + begin + stride * i + numbers.size * k, numbers.is_normalized);
   return rows;
+}
+
+void Glb_content::replace_rows(Rows& rows, const Json& sparse, const Glb_numbers& numbers) const
+{
+  const std::size_t count = sparse.at("count").get<std::size_t>();
+  const Json& indices = sparse.at("indices");
+  const Rows places = this->rows(indices, numbers_of(indices), count);
+  const Rows values = this->rows(sparse.at("values"), numbers, count);
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!(places[i][0] >= 0 && places[i][0] < static_cast<double>(rows.size()))) refuse_item();
+    rows[static_cast<std::size_t>(places[i][0])] = values[i];
+  }
+}
+
+Glb_numbers Glb_content::numbers_of(const Json& table) const
+{
+  const Glb_numbers* const found = find_numbers(table.at("componentType").get<int>());
+  const std::size_t width = width_of(table.value("type", std::string("SCALAR")));
+  if (found == nullptr || width == 0) fail(m_item + " is of an unknown type");
+  return {found->size, found->read, width, table.value("normalized", false)};
+}
+
+Glb_content::Rows Glb_content::rows(std::size_t accessor) const
+{
+  const Json& table = item("accessors", accessor);
+  const Glb_numbers numbers = numbers_of(table);
+  const std::size_t count = table.at("count").get<std::size_t>();
+  if (count > m_size)  // only zeros need no bytes
+    fail(m_item + " has " + std::to_string(count) +
+         " rows, wanted no more than the file has bytes");
+  Rows all = table.contains("bufferView") ? rows(table, numbers, count) : Rows(count, {0, 0, 0, 0});
+  if (table.contains("sparse")) replace_rows(all, table["sparse"], numbers);
+  return all;
 }
 
 }  // namespace conformal

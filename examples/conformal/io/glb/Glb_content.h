@@ -11,26 +11,47 @@
 
 namespace conformal {
 
-/// \brief The two chunks of a GLB file, and the tables of numbers in the second one.
+struct Glb_numbers;
+
+/// \brief The description (JSON) of a GLB file, and the tables of numbers in its buffers.
 ///
-/// The functions throw `nlohmann::json::exception` where the description is not as it should be.
+/// Reading the description throws `nlohmann::json::exception` where it is not as it should be:
+/// `refuse_item()` is for those who catch it.
 class Glb_content {
  public:
+  using Rows = std::vector<std::array<double, 4>>;
+
   /// \throws Read_error
   Glb_content(std::string_view bytes, const std::string& path);
 
   const nlohmann::json& json() const { return m_json; }
 
+  /// the item of a list of the description, as in `item("nodes", 3)` \throws Read_error
+  const nlohmann::json& item(const std::string& list, std::size_t index) const;
+
   /// The rows of an accessor; integers that are said to be normalized are from 0 or -1 to 1.
   /// \throws Read_error
-  std::vector<std::array<double, 4>> rows(std::size_t accessor) const;
+  Rows rows(std::size_t accessor) const;
+
+  /// Tells that the item asked for last is wrong. \throws Read_error
+  [[noreturn]] void refuse_item() const;
 
  private:
+  void check_extensions() const;
+  void decode_buffers();
+  std::string_view buffer(std::size_t index) const;
   std::string_view view(std::size_t index) const;
+  Glb_numbers numbers_of(const nlohmann::json& table) const;
+  Rows rows(const nlohmann::json& place, const Glb_numbers& numbers, std::size_t count) const;
+  void replace_rows(Rows& rows, const nlohmann::json& sparse, const Glb_numbers& numbers) const;
+  [[noreturn]] void fail(const std::string& message) const;
 
   std::string m_path;
+  std::size_t m_size;  // of the file
   nlohmann::json m_json;
   std::string_view m_binary;
+  std::vector<std::string> m_decoded;  // buffers that are text in the description
+  mutable std::string m_item = "the description";
 };
 
 }  // namespace conformal

@@ -1,6 +1,8 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include "Glb_mesh.h"
 
+#include "attribute_names.h"
+
 #include "conformal/io/data/texture_coordinates.h"
 
 #include <algorithm>
@@ -81,10 +83,8 @@ std::vector<Point> area_normals(const Surface_file& file, const Point& middle)
 std::vector<Point> vertex_normals(const Surface_file& file, const Point& middle)
 {
   if (const auto rows = vertex_values(file, file.normals)) return *rows;
-  std::array<const Property*, 3> given = {find_numbers(file.vertices, "nx"),
-                                          find_numbers(file.vertices, "ny"),
-                                          find_numbers(file.vertices, "nz")};
-  if (std::count(given.begin(), given.end(), nullptr) > 0) return area_normals(file, middle);
+  const auto given = normal_properties(file.vertices);
+  if (given.empty()) return area_normals(file, middle);
   std::vector<Point> normals(file.points.size());
   for (std::size_t v = 0; v < normals.size(); ++v)
     for (std::size_t i = 0; i < 3; ++i) normals[v][i] = given[i]->value(v);
@@ -127,6 +127,33 @@ std::vector<std::array<unsigned char, 4>> color_rows(const Surface_file& file, c
   return colors;
 }
 
+// Nothing if a value does not fit, since GLB has no not-a-number.
+std::vector<std::array<float, 1>> value_rows(const Property& property, const Copies& copies)
+{
+  std::vector<std::array<float, 1>> rows;
+  for (const std::size_t v : copies.vertex) {
+    rows.push_back({static_cast<float>(property.value(v))});
+    if (!std::isfinite(rows.back()[0])) return {};
+  }
+  return rows;
+}
+
+std::vector<Glb_mesh::Values> all_values(const Surface_file& file, const Copies& copies)
+{
+  std::vector<std::string> others = texture_properties(file);
+  for (const auto& properties : {normal_properties(file.vertices), color_properties(file.vertices)})
+    for (const std::string& name : names_of(properties)) others.push_back(name);
+  std::vector<Glb_mesh::Values> all;
+  for (const Property& property : file.vertices.properties) {
+    const auto name = attribute_of(property.name());
+    if (!name || property.is_list() || std::count(others.begin(), others.end(), property.name()))
+      continue;
+    all.push_back({property.name(), *name, value_rows(property, copies)});
+    if (all.back().rows.empty()) all.pop_back();
+  }
+  return all;
+}
+
 std::vector<std::array<float, 2>> texture_rows(const Corner_values& texture, const Copies& copies)
 {
   std::vector<std::array<float, 2>> result;
@@ -167,6 +194,7 @@ Glb_mesh glb_mesh(const Surface_file& file)
   }
   mesh.texture = texture_rows(texture, copies);
   mesh.colors = color_rows(file, copies);
+  mesh.values = all_values(file, copies);
   mesh.triangles = fans(file.polygons, copies);
   return mesh;
 }

@@ -18,6 +18,13 @@ struct Glb_mesh {
   std::vector<std::array<float, 2>> texture;            // (u, 1 - v)
   std::vector<std::array<unsigned char, 4>> colors;     // red, green, blue, alpha
   std::vector<std::array<std::uint32_t, 3>> triangles;  // polygons as fans
+
+  /// a property of the vertices that stands for no normals, colours or texture coordinates
+  struct Values {
+    std::string property, attribute;  // names
+    std::vector<std::array<float, 1>> rows;
+  };
+  std::vector<Values> values;
 };
 
 Glb_mesh glb_mesh(const Surface_file& file);

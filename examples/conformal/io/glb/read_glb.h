@@ -10,9 +10,9 @@ namespace conformal {
 
 /// Reads the triangles of the scene of a GLB file, each mesh in its place. Corners of exactly equal
 /// coordinates are one vertex, numbered by first appearance. Texture coordinates are those of
-/// corners, colours those of vertices; names of meshes and materials become lines `o` and `usemtl`,
-/// what else materials have is noted as left out. Normals are not read, since the points define
-/// them. \throws Read_error
+/// corners; colours, and numbers such as `_RHO`, those of vertices. Names of nodes, meshes and
+/// materials become lines `g`, `o` and `usemtl`. Normals are not read, since the points define
+/// them; all else is `Left_out`. \throws Read_error
 Surface_file parse_glb(std::string_view bytes, const std::string& path,
                        Bad_faces bad_faces = Bad_faces::refused);
 

@@ -4,7 +4,7 @@
 #include "Glb_mesh.h"
 #include "checkerboard.h"
 
-#include "conformal/io/data/encode_text.h"
+#include "conformal/io/data/note_losses.h"
 #include "conformal/io/file/io_errors.h"
 #include "conformal/io/file/little_endian.h"
 
@@ -98,8 +98,8 @@ std::string bounds(const std::vector<std::array<float, 3>>& positions)
 std::string append_attributes(Glb_buffer& buffer, const Glb_mesh& mesh)
 {
   const std::size_t n = mesh.positions.size();
-  const auto attribute = [](const char* name, std::size_t accessor) {
-    return std::string("\"") + name + "\":" + std::to_string(accessor);
+  const auto attribute = [](const std::string& name, std::size_t accessor) {
+    return '"' + name + "\":" + std::to_string(accessor);
   };
   std::string text =
       attribute("POSITION", buffer.append_array(mesh.positions, vertex_data, float_number, "VEC3",
@@ -112,6 +112,9 @@ std::string append_attributes(Glb_buffer& buffer, const Glb_mesh& mesh)
   if (!mesh.colors.empty())
     text += ',' + attribute("COLOR_0", buffer.append_array(mesh.colors, vertex_data, unsigned_byte,
                                                            "VEC4", n, ",\"normalized\":true"));
+  for (const auto& [property, name, rows] : mesh.values)
+    text +=
+        ',' + attribute(name, buffer.append_array(rows, vertex_data, float_number, "SCALAR", n));
   return text;
 }
 
@@ -161,6 +164,19 @@ void check_positions(const Glb_mesh& mesh, const std::string& path)
                                     " does not fit into GLB, whose coordinates are floats");
 }
 
+Written written_to_glb(const Surface_file& file, const Glb_mesh& mesh)
+{
+  Written all{"GLB"};
+  all.vertices = names_of(normal_properties(file.vertices));
+  for (const std::string& name : names_of(color_properties(file.vertices)))
+    all.vertices.push_back(name);
+  for (const Glb_mesh::Values& values : mesh.values) all.vertices.push_back(values.property);
+  all.texture = Detail::corners;
+  all.normals = Detail::vertices;
+  all.has_polygons = false;
+  return all;
+}
+
 }  // namespace
 
 std::string encode_glb(const Surface_file& file, const std::string& path,
@@ -179,12 +195,7 @@ std::string encode_glb(const Surface_file& file, const std::string& path,
   append_little_endian(glb, static_cast<std::uint32_t>(size));
   append_chunk(glb, "JSON", json);
   append_chunk(glb, "BIN\0", buffer.bytes());
-  note_lost_properties(file.vertices,
-                       {"nx", "ny", "nz", "red", "green", "blue", "alpha", "texture_u", "texture_v",
-                        "s", "t", "u", "v"},
-                       {}, "GLB", notes);
-  note_lost_properties(file.faces, {}, {"texcoord"}, "GLB", notes);
-  if (!file.group_lines.empty()) notes.emplace_back("groups and materials are not written to GLB");
+  note_losses(file, written_to_glb(file, mesh), notes);
   return glb;
 }
 

@@ -10,7 +10,8 @@ namespace conformal {
 
 /// The bytes of a GLB 2.0 file to look at: POSITION (float, about the middle of the bounding box,
 /// which is the translation of the node), NORMAL (of the vertices, or else averaged from the
-/// faces), TEXCOORD_0, COLOR_0, uint32 triangles (polygons as fans).
+/// faces), TEXCOORD_0, COLOR_0, other numbers of vertices as `_RHO` and the like, uint32 triangles
+/// (polygons as fans).
 ///
 /// Vertex v of the file is vertex v of the GLB; copies for seams come after all vertices. Texture
 /// coordinates without colours get a checkerboard. GLB counts v downwards: it is written as 1 - v.

@@ -73,7 +73,11 @@ class Obj_reader {
       leave_out_line(in_quotes(word) + " statements");
   }
 
-  void leave_out(std::string_view what) { m_left_out.add(what, "line", m_scanner.line()); }
+  void leave_out(std::string_view what) { leave_out(what, m_scanner.line()); }
+  void leave_out(std::string_view what, std::size_t line)
+  {
+    m_left_out.add(what, "line " + std::to_string(line));
+  }
 
   void leave_out_line(std::string_view what)
   {
@@ -217,7 +221,7 @@ class Obj_reader {
       for (std::size_t i = m_file.polygons.first[f]; i < m_file.polygons.first[f + 1]; ++i)
         if (indices[i] >= 0 && !is_there(indices[i])) {
           indices[i] = -1;
-          m_left_out.add(what, "line", m_lines[f]);
+          leave_out(what, m_lines[f]);
         }
   }
 

@@ -2,6 +2,7 @@
 #include "write_obj.h"
 
 #include "conformal/io/data/encode_text.h"
+#include "conformal/io/data/note_losses.h"
 #include "conformal/io/data/texture_coordinates.h"
 
 namespace conformal {
@@ -42,12 +43,10 @@ Corner_values normals_of(const Surface_file& file)
 {
   Corner_values normals = file.normals;
   normals.dimension = 3;
-  const Property* x = find_numbers(file.vertices, "nx");
-  const Property* y = find_numbers(file.vertices, "ny");
-  const Property* z = find_numbers(file.vertices, "nz");
-  if (!normals.empty() || x == nullptr || y == nullptr || z == nullptr) return normals;
+  const auto given = normal_properties(file.vertices);
+  if (!normals.empty() || given.empty()) return normals;
   for (std::size_t v = 0; v < file.points.size(); ++v)
-    normals.values.push_back({x->value(v), y->value(v), z->value(v)});
+    normals.values.push_back({given[0]->value(v), given[1]->value(v), given[2]->value(v)});
   normals.index = file.polygons.corners;
   return normals;
 }
@@ -77,15 +76,15 @@ void append_faces(std::string& text, const Surface_file& file, const Corner_valu
   for (; line != file.group_lines.end(); ++line) text += on_one_line(line->text) + '\n';
 }
 
-void note_losses(const Surface_file& file, std::vector<std::string>& notes)
+Written written_to_obj(const Surface_file& file)
 {
-  note_lost_properties(file.vertices,
-                       {"nx", "ny", "nz", "red", "green", "blue", "alpha", "texture_u", "texture_v",
-                        "s", "t", "u", "v"},
-                       {}, "OBJ", notes);
-  note_lost_properties(file.faces, {}, {"texcoord"}, "OBJ", notes);
-  for (const Element& element : file.other_elements)
-    notes.push_back("the element " + element.name + " is not written to OBJ");
+  Written all{"OBJ"};
+  all.vertices = names_of(normal_properties(file.vertices));
+  for (const std::string& name : names_of(color_properties(file.vertices)))
+    all.vertices.push_back(name);
+  all.texture = all.normals = Detail::corners;
+  all.has_comments = all.has_groups = all.has_three_texture_coordinates = true;
+  return all;
 }
 
 }  // namespace
@@ -101,7 +100,7 @@ std::string encode_obj(const Surface_file& file, std::vector<std::string>& notes
   append_rows(text, "vt", texture);
   append_rows(text, "vn", normals);
   append_faces(text, file, texture, normals);
-  note_losses(file, notes);
+  note_losses(file, written_to_obj(file), notes);
   return text;
 }
 

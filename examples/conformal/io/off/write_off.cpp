@@ -2,6 +2,7 @@
 #include "write_off.h"
 
 #include "conformal/io/data/encode_text.h"
+#include "conformal/io/data/note_losses.h"
 #include "conformal/io/data/texture_coordinates.h"
 
 #include <optional>
@@ -17,17 +18,6 @@ void append_color(std::string& text, const Property& color, std::size_t i)
   if (!is_integer(color.type()) &&
       text.find_first_not_of("-0123456789", begin) == std::string::npos)
     text += ".0";
-}
-
-std::vector<const Property*> normal_properties(const Element& vertices)
-{
-  std::vector<const Property*> normals;
-  for (const char* name : {"nx", "ny", "nz"}) {
-    const Property* property = find_numbers(vertices, name);
-    if (property == nullptr) return {};
-    normals.push_back(property);
-  }
-  return normals;
 }
 
 // `texture_u texture_v` are written in their own type, so that they are preserved.
@@ -85,21 +75,16 @@ void append_faces(std::string& text, const Surface_file& file)
   }
 }
 
-void note_losses(const Surface_file& file, const Off_columns& columns,
-                 std::vector<std::string>& notes)
+Written written_to_off(const Surface_file& file, const Off_columns& columns)
 {
-  note_lost_properties(file.vertices,
-                       {"nx", "ny", "nz", "red", "green", "blue", "alpha", "texture_u", "texture_v",
-                        "s", "t", "u", "v"},
-                       {}, "OFF", notes);
-  note_lost_properties(file.faces, {"red", "green", "blue", "alpha"}, {"color", "texcoord"}, "OFF",
-                       notes);
-  if (!columns.has_texture() && !texture_coordinates(file).empty())
-    notes.push_back("texture coordinates with seams are not written to OFF");
-  if (!file.normals.index.empty()) notes.push_back("normals of corners are not written to OFF");
-  if (!file.group_lines.empty()) notes.push_back("groups and materials are not written to OFF");
-  for (const Element& element : file.other_elements)
-    notes.push_back("the element " + element.name + " is not written to OFF");
+  Written all{"OFF"};
+  for (const auto& written : {columns.normals, columns.colors, columns.texture})
+    for (const std::string& name : names_of(written)) all.vertices.push_back(name);
+  all.faces = names_of(color_properties(file.faces));
+  if (all.faces.empty() && find_list(file.faces, "color") != nullptr) all.faces = {"color"};
+  all.texture = Detail::vertices;
+  all.has_comments = true;
+  return all;
 }
 
 }  // namespace
@@ -116,7 +101,7 @@ std::string encode_off(const Surface_file& file, std::vector<std::string>& notes
   text += std::to_string(file.points.size()) + ' ' + std::to_string(file.polygons.size()) + " 0\n";
   for (std::size_t v = 0; v < file.points.size(); ++v) append_vertex(text, file, columns, v);
   append_faces(text, file);
-  note_losses(file, columns, notes);
+  note_losses(file, written_to_off(file, columns), notes);
   return text;
 }
 

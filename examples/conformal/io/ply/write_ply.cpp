@@ -2,6 +2,7 @@
 #include "write_ply.h"
 
 #include "conformal/io/data/encode_text.h"
+#include "conformal/io/data/note_losses.h"
 #include "conformal/io/data/texture_coordinates.h"
 #include "conformal/io/file/little_endian.h"
 
@@ -94,13 +95,21 @@ void add_texture(const Surface_file& file, Element& vertices, Element& faces)
     set_property(faces, texture_list(file));
 }
 
-void add_normals(const Surface_file& file, Element& vertices, std::vector<std::string>& notes)
+void add_normals(const Surface_file& file, Element& vertices)
 {
-  if (file.normals.index.empty()) return;
   if (const auto rows = vertex_values(file, file.normals))
     set_rows(vertices, {"nx", "ny", "nz"}, *rows);
-  else
-    notes.push_back("normals that differ at the corners of a vertex are not written");
+}
+
+Written written_to_ply(const Surface_file& file)
+{
+  Written all{"PLY"};
+  for (const Property& property : file.vertices.properties) all.vertices.push_back(property.name());
+  for (const Property& property : file.faces.properties) all.faces.push_back(property.name());
+  all.texture = Detail::corners;
+  all.normals = Detail::vertices;
+  all.has_comments = all.has_object_info = all.has_elements = true;
+  return all;
 }
 
 class Ply_writer {
@@ -210,6 +219,7 @@ void write_header(Ply_writer& writer, const Surface_file& file, const Element& v
   writer.write_line("property list " + std::string(name_of(degree_type)) + " int vertex_indices");
   writer.write_properties(faces);
   for (const Element& element : file.other_elements) {
+    if (element.size == 0) continue;  // some readers fail at elements that they do not know
     writer.write_line("element " + element.name + ' ' + std::to_string(element.size));
     writer.write_properties(element);
   }
@@ -234,9 +244,8 @@ std::string encode_ply(const Surface_file& file, Ply_encoding encoding,
     use_common_types(faces);
   }
   add_texture(file, vertices, faces);
-  add_normals(file, vertices, notes);
-  if (!file.group_lines.empty()) notes.push_back("groups and materials are not written to PLY");
-
+  add_normals(file, vertices);
+  note_losses(file, written_to_ply(file), notes);
   const Value_type degree_type = length_type(file.polygons, 1);
   Ply_writer writer(encoding);
   write_header(writer, file, vertices, faces, degree_type);

@@ -1,8 +1,7 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include "write_stl.h"
 
-#include "conformal/io/data/encode_text.h"
-#include "conformal/io/data/texture_coordinates.h"
+#include "conformal/io/data/note_losses.h"
 #include "conformal/io/file/little_endian.h"
 
 #include <array>
@@ -59,15 +58,15 @@ std::uint32_t append_faces(std::string& bytes, const Surface_file& file)
   return count;
 }
 
-void note_losses(const Surface_file& file, std::vector<std::string>& notes)
+// Normals follow from the points.
+Written written_to_stl()
 {
-  notes.emplace_back("STL has no vertices: those at the same place in single precision become one");
-  note_lost_properties(file.vertices, {"nx", "ny", "nz"}, {}, "STL", notes);
-  note_lost_properties(file.faces, {"attribute", "nx", "ny", "nz"}, {}, "STL", notes);
-  if (!file.texture.empty()) notes.emplace_back("texture coordinates are not written to STL");
-  if (!file.group_lines.empty()) notes.emplace_back("groups and materials are not written to STL");
-  for (const Element& element : file.other_elements)
-    notes.push_back("the element " + element.name + " is not written to STL");
+  Written all{"STL"};
+  all.vertices = {"nx", "ny", "nz"};
+  all.faces = {"attribute", "nx", "ny", "nz"};
+  all.normals = Detail::corners;
+  all.has_polygons = false;
+  return all;
 }
 
 }  // namespace
@@ -79,7 +78,8 @@ std::string encode_stl(const Surface_file& file, std::vector<std::string>& notes
   std::string bytes = "binary STL";  // not `solid`, with which a text would begin
   bytes.resize(80, ' ');
   append_little_endian(bytes, count);
-  note_losses(file, notes);
+  notes.emplace_back("STL has no vertices: those at the same place in single precision become one");
+  note_losses(file, written_to_stl(), notes);
   return bytes + facets;
 }
 
