@@ -26,6 +26,16 @@ Plane_polygon star(int corners, double depth, int teeth)
   return points;
 }
 
+/// a star with a hole in its middle, joined to it by a bridge
+Plane_polygon ring(int corners, double depth)
+{
+  Plane_polygon points = star(corners, depth, 5), hole = star(corners, 0, 1);
+  points.push_back(points[0]);
+  for (int i = corners; i >= 0; --i)
+    points.push_back(.3 * hole[static_cast<std::size_t>(i % corners)]);
+  return points;
+}
+
 double area(const Plane_polygon& points)
 {
   double twice = 0;
@@ -55,12 +65,12 @@ TEST_P(Ears, are_the_polygon_once)
 }
 
 // In so many corners, cost that is quadratic would be noticed.
-INSTANTIATE_TEST_SUITE_P(Polygons, Ears,
-                         ::testing::Values([] { return star(50, 0, 1); },
-                                           [] { return star(1000, .5, 7); },
-                                           [] { return star(3000, .3, 1000); },
-                                           [] { return star(200000, 0, 1); },
-                                           [] { return star(50000, .4, 2000); }));
+INSTANTIATE_TEST_SUITE_P(
+    Polygons, Ears,
+    ::testing::Values([] { return ring(3, 0); }, [] { return ring(40, .5); },
+                      [] { return ring(300, .5); }, [] { return star(50, 0, 1); },
+                      [] { return star(1000, .5, 7); }, [] { return star(3000, .3, 1000); },
+                      [] { return star(200000, 0, 1); }, [] { return star(50000, .4, 2000); }));
 
 TEST(Ears_of, of_polygons_that_cross_themselves_end)
 {

@@ -12,6 +12,7 @@
 #include "program/support.h"
 #include "support/spheres.h"
 
+#include <Conformal_geometry_processing/measure/energies.h>
 #include <Conformal_geometry_processing/mesh/topology.h>
 
 #include <nlohmann/json.hpp>
@@ -110,6 +111,22 @@ TEST(Repair, shortens_a_polygon_that_has_a_corner_twice_in_a_row)
   EXPECT_EQ(r.done.removed_faces, 0);
   EXPECT_EQ(r.done.notes().size(), 1u);
   EXPECT_EQ(faces_of(r.input.file), (Faces{{0, 1, 2}}));
+}
+
+TEST(Repair, cuts_a_polygon_that_a_bridge_joins_to_its_hole)
+{
+  const std::vector<Point> points = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0},
+                                     {1, 1, 0}, {1, 2, 0}, {2, 1, 0}};
+  const Repaired r = repaired(off_of(points, {{0, 1, 2, 0, 3, 4, 5, 3}}));
+  EXPECT_EQ(r.done.bridged_faces, 1);
+  EXPECT_EQ(r.done.removed_faces + r.done.shortened_faces, 0);
+  EXPECT_EQ(r.done.new_face, (std::vector<int>{0}));
+  EXPECT_EQ(r.done.notes().size(), 1u);
+  EXPECT_DOUBLE_EQ(CGP::total_area(r.input.mesh), 7.5);
+  EXPECT_EQ(CGP::topology(r.input.mesh).boundary_loops, 2);
+  const Repaired spur = repaired(off_of(points, {{0, 1, 2}, {0, 3, 0, 4}}));
+  EXPECT_EQ(spur.done.removed_faces, 1);
+  EXPECT_EQ(spur.done.bridged_faces, 0);
 }
 
 TEST(Repair, is_reported_with_numbers_that_are_integers)

@@ -32,22 +32,59 @@ std::vector<std::size_t> distinct_corners(const Polygons& polygons, std::size_t 
   return places;
 }
 
-/// Faces to be kept: not degenerate, and each once.
-Selected_faces keep_faces(const Surface_file& file)
-{
-  Selected_faces kept;
-  std::set<std::vector<int>> known;
-  for (std::size_t f = 0; f < file.polygons.size(); ++f) {
-    const std::vector<std::size_t> places = distinct_corners(file.polygons, f);
-    std::vector<int> vertices;
-    for (const std::size_t c : places) vertices.push_back(file.polygons.corners[c]);
-    std::sort(vertices.begin(), vertices.end());
-    const bool is_repeated = std::adjacent_find(vertices.begin(), vertices.end()) != vertices.end();
-    if (vertices.size() < 3 || is_repeated || !known.insert(std::move(vertices)).second) continue;
-    append(kept, file, static_cast<int>(f), places);
+/// The faces to be kept: not degenerate, and each once.
+class Face_filter {
+ public:
+  explicit Face_filter(const Surface_file& file) : m_file(file) {}
+
+  /// \param corners without repetitions in a row
+  void add(std::size_t f, const std::vector<std::size_t>& corners, Repair& done)
+  {
+    const std::vector<int> vertices = vertices_of(corners);
+    const bool has_bridge = std::adjacent_find(vertices.begin(), vertices.end()) != vertices.end();
+    bool is_kept = false;
+    for (const std::vector<std::size_t>& part : parts_of(corners, has_bridge))
+      is_kept = keep(f, part) || is_kept;
+    done.removed_faces += !is_kept;
+    done.bridged_faces += is_kept && has_bridge;
+    done.shortened_faces += is_kept && !has_bridge && corners.size() < m_file.polygons.degree(f);
   }
-  return kept;
-}
+
+  Selected_faces take() { return std::move(m_kept); }
+
+ private:
+  std::vector<int> vertices_of(const std::vector<std::size_t>& corners) const
+  {
+    std::vector<int> vertices;
+    for (const std::size_t c : corners) vertices.push_back(m_file.polygons.corners[c]);
+    std::sort(vertices.begin(), vertices.end());
+    return vertices;
+  }
+
+  std::vector<std::vector<std::size_t>> parts_of(const std::vector<std::size_t>& corners,
+                                                 bool has_bridge) const
+  {
+    if (!has_bridge) return {corners};
+    std::vector<std::vector<std::size_t>> parts;
+    for (const auto& t : triangles_of(m_file, corners)) parts.push_back({t[0], t[1], t[2]});
+    return parts;
+  }
+
+  bool keep(std::size_t f, const std::vector<std::size_t>& corners)
+  {
+    std::vector<int> vertices = vertices_of(corners);
+    const bool is_degenerate =
+        vertices.size() < 3 ||
+        std::adjacent_find(vertices.begin(), vertices.end()) != vertices.end();
+    if (is_degenerate || !m_known.insert(std::move(vertices)).second) return false;
+    append(m_kept, m_file, static_cast<int>(f), corners);
+    return true;
+  }
+
+  const Surface_file& m_file;
+  Selected_faces m_kept;
+  std::set<std::vector<int>> m_known;
+};
 
 std::vector<int> inverse(const std::vector<int>& where_it_was, std::size_t size)
 {
@@ -100,13 +137,11 @@ std::vector<int> merge_vertices(Surface_file& file)
 
 void remove_bad_faces(Surface_file& file, Repair& done)
 {
-  const std::size_t faces = file.polygons.size();
-  Selected_faces kept = keep_faces(file);
+  Face_filter filter(file);
+  for (std::size_t f = 0; f < file.polygons.size(); ++f)
+    filter.add(f, distinct_corners(file.polygons, f), done);
+  Selected_faces kept = filter.take();
   done.face_in_file = kept.face_in_file;
-  done.removed_faces = static_cast<int>(faces - kept.face_in_file.size());
-  for (std::size_t i = 0; i < kept.face_in_file.size(); ++i)
-    done.shortened_faces +=
-        kept.polygons.degree(i) < file.polygons.degree(at(kept.face_in_file[i]));
   select_faces(file, std::move(kept));
 }
 

@@ -15,6 +15,7 @@ struct Repair {
   int merged_points = 0;    ///< vertices that lay exactly upon another
   int removed_faces = 0;    ///< fewer than three different corners were left, or it was there twice
   int shortened_faces = 0;  ///< polygons that had a corner twice in a row, and three others
+  int bridged_faces = 0;    ///< polygons cut into triangles, since bridges join them to holes
   int turned_faces = 0;     ///< to agree with their neighbours
   int cut_edges = 0;        ///< where more than two faces meet, or neighbours cannot agree
   int added_vertices = 0;   ///< copies, for fans of faces that only touch

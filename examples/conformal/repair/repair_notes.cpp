@@ -7,8 +7,8 @@ namespace conformal {
 
 bool Repair::has_changed_anything() const
 {
-  return merged_points + removed_faces + shortened_faces + turned_faces + cut_edges +
-             added_vertices + removed_vertices + flipped_edges + collapsed_edges +
+  return merged_points + removed_faces + shortened_faces + bridged_faces + turned_faces +
+             cut_edges + added_vertices + removed_vertices + flipped_edges + collapsed_edges +
              removed_flat_faces >
          0;
 }
@@ -23,6 +23,7 @@ std::vector<std::string> Repair::notes() const
   tell(merged_points, "vertex", " merged into others at the same place");
   tell(removed_faces, "face", " removed: repeated, or with fewer than three different corners");
   tell(shortened_faces, "face", " left with fewer corners: one came twice in a row");
+  tell(bridged_faces, "polygon", " with a corner twice cut into triangles, as a bridge to a hole");
   tell(turned_faces, "face", " turned around, to agree with the others");
   tell(flipped_edges, "edge", " flipped, so that a face of area zero splits its neighbour");
   tell(collapsed_edges, "edge",

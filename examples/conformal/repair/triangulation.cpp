@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 
 namespace conformal {
 namespace {
@@ -19,6 +20,7 @@ Plane_polygon in_plane(const std::vector<Eigen::Vector3d>& polygon)
   const Eigen::Vector3d origin = polygon.front();
   for (std::size_t i = 0; i < polygon.size(); ++i)
     normal += (polygon[i] - origin).cross(polygon[(i + 1) % polygon.size()] - origin);
+  if (normal.isZero(0)) normal.setUnit(2);  // a polygon there and back: any plane
   const Eigen::Vector3d u = normal.unitOrthogonal(), v = normal.stableNormalized().cross(u);
   Plane_polygon points;
   for (const Eigen::Vector3d& p : polygon)
@@ -26,22 +28,25 @@ Plane_polygon in_plane(const std::vector<Eigen::Vector3d>& polygon)
   return points;
 }
 
-std::vector<std::array<std::size_t, 3>> triangles_of_polygon(const Surface_file& file,
-                                                             std::size_t f)
+}  // namespace
+
+std::vector<std::array<std::size_t, 3>> triangles_of(const Surface_file& file,
+                                                     const std::vector<std::size_t>& places)
 {
-  if (file.polygons.degree(f) == 3) return {{0, 1, 2}};
+  if (places.size() == 3) return {{places[0], places[1], places[2]}};
   std::vector<Eigen::Vector3d> polygon;
   double size = 0;
-  for (std::size_t c = file.polygons.first[f]; c < file.polygons.first[f + 1]; ++c) {
+  for (const std::size_t c : places) {
     const auto v = static_cast<std::size_t>(file.polygons.corners[c]);
     polygon.push_back(Eigen::Vector3d::Map(file.points[v].data()));
     size = std::max(size, polygon.back().cwiseAbs().maxCoeff());
   }
   for (Eigen::Vector3d& p : polygon) p /= size > 0 ? size : 1;  // no product may overflow
-  return ears_of(in_plane(polygon));
+  auto triangles = ears_of(in_plane(polygon));
+  for (auto& triangle : triangles)
+    for (std::size_t& corner : triangle) corner = places[corner];
+  return triangles;
 }
-
-}  // namespace
 
 Triangulation triangulate(const Surface_file& file)
 {
@@ -49,13 +54,14 @@ Triangulation triangulate(const Surface_file& file)
   result.corners.reserve(file.polygons.size());
   result.face_in_file.reserve(file.polygons.size());
   for (std::size_t f = 0; f < file.polygons.size(); ++f) {
-    const std::size_t first = file.polygons.first[f];
-    const int* corners = file.polygons.corners.data() + first;
-    result.triangulated += file.polygons.degree(f) > 3;
-    for (const auto& t : triangles_of_polygon(file, f)) {
+    const std::vector<int>& corners = file.polygons.corners;
+    std::vector<std::size_t> places(file.polygons.degree(f));
+    std::iota(places.begin(), places.end(), file.polygons.first[f]);
+    result.triangulated += places.size() > 3;
+    for (const auto& t : triangles_of(file, places)) {
       result.corners.push_back({corners[t[0]], corners[t[1]], corners[t[2]]});
       result.face_in_file.push_back(static_cast<int>(f));
-      result.places.push_back({first + t[0], first + t[1], first + t[2]});
+      result.places.push_back(t);
     }
   }
   return result;

@@ -23,4 +23,9 @@ struct Triangulation {
 /// the polygon best, so that dents are respected; the roundest ear first.
 Triangulation triangulate(const Surface_file& file);
 
+/// Likewise for one polygon, given by the places of its corners among those of the file, which may
+/// be joined to holes by bridges. \returns places
+std::vector<std::array<std::size_t, 3>> triangles_of(const Surface_file& file,
+                                                     const std::vector<std::size_t>& places);
+
 }  // namespace conformal

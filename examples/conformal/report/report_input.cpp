@@ -13,6 +13,7 @@ void report_repair(const Repair& repair, Report& report, const std::string& plac
   report.set(place + "/merged_points", repair.merged_points);
   report.set(place + "/removed_faces", repair.removed_faces);
   report.set(place + "/shortened_faces", repair.shortened_faces);
+  report.set(place + "/bridged_faces", repair.bridged_faces);
   report.set(place + "/turned_faces", repair.turned_faces);
   report.set(place + "/cut_edges", repair.cut_edges);
   report.set(place + "/added_vertices", repair.added_vertices);
