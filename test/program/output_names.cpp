@@ -103,6 +103,7 @@ TEST_F(Output_names, an_output_has_a_name)
   EXPECT_TRUE(refuses("spectrum a.off --csv -", "--csv: wanted the name of a file"));
   EXPECT_TRUE(refuses("harmonic a.off -o -", "--output: wanted the name of a file"));
   EXPECT_FALSE(has("-"));
+  EXPECT_EQ(run("harmonic a.off -o ''").err.find("/dev/stdout"), std::string::npos);
   const Program_run piped = run("info a.off -q --json /dev/stdout | cat");
   EXPECT_EQ(piped.out.substr(0, 1), "{") << piped.err;
 }

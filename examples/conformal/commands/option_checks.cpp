@@ -44,7 +44,7 @@ std::string between_zero_and_one(const std::string& text)
 std::string file_name(const std::string& text)
 {
   const bool is_name = !text.empty() && text != "-";
-  return is_name ? "" : "wanted the name of a file (/dev/stdout for a pipe)";
+  return is_name ? "" : "wanted the name of a file";
 }
 
 std::string formula(const std::string& text)

@@ -8,8 +8,10 @@
 #include <Eigen/Geometry>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
+#include <string_view>
 
 namespace conformal {
 namespace {
@@ -153,16 +155,19 @@ Target target_of(const CGP::Mesh_view& mesh, const Numbering& numbering, const E
 
 Json parse(const std::string& path)
 {
+  const std::string text = read_bytes(path, "a file with targets");
   try {
-    Json json = Json::parse(read_bytes(path, "a file with targets"));
+    Json json = Json::parse(text);
     if (!json.is_object() || !json.contains("targets") || !json["targets"].is_array() ||
         json["targets"].empty())
       throw Read_error(path, 0,
                        "has no targets; wanted: {\"targets\": [{\"vertex\": 0, \"to\": "
                        "[0, 0, 0]}, ...]}");
     return json;
-  } catch (const Json::exception& error) {
-    throw Read_error(path, 0, std::string("is not JSON: ") + error.what());
+  } catch (const Json::parse_error& error) {
+    const std::string_view before = std::string_view(text).substr(0, error.byte);
+    const auto lines = std::count(before.begin(), before.end(), '\n');
+    throw Read_error(path, static_cast<std::size_t>(lines) + 1, "is not JSON");
   }
 }
 

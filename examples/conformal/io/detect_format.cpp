@@ -57,10 +57,10 @@ File_format detect_format(std::string_view bytes, const std::string& path)
   if (format == File_format::obj || (!format && is_obj_keyword(word))) return File_format::obj;
   if (format == File_format::stl) return File_format::stl;
   throw Read_error(path, 0,
-                   format ? std::string("is not ") + (format == File_format::ply ? "a " : "an ") +
+                   format ? std::string("is not ") + (name_of(*format)[0] == 'O' ? "an " : "a ") +
                                 name_of(*format) + " file: it begins with " + in_quotes(word)
                           : "is of no known format: it begins with " + in_quotes(word) +
-                                ", wanted OFF, OBJ, PLY or STL");
+                                ", wanted OFF, OBJ, PLY, GLB or STL");
 }
 
 }  // namespace conformal

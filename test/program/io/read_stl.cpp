@@ -81,6 +81,15 @@ TEST(Read_stl, refuses_bad_text_with_its_line)
             "a.stl:9: the file ends, wanted facet or endsolid");
 }
 
+TEST(Read_stl, leaves_out_bytes_after_the_last_facet_unless_their_number_may_be_wrong)
+{
+  const Surface_file file = parse_stl(fuzz::binary_stl() + "abcde", "a.stl");
+  EXPECT_EQ(file.polygons.size(), 4u);
+  EXPECT_EQ(file.notes, (std::vector<std::string>{"left out: 5 bytes after the last facet"}));
+  EXPECT_EQ(refusal(fuzz::binary_stl() + std::string(50, '\0')),
+            "a.stl: announces 4 facets, but 50 bytes follow them, wanted the right number");
+}
+
 TEST(Read_stl, refuses_bad_bytes)
 {
   const std::string good = fuzz::binary_stl();

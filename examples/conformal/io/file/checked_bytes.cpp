@@ -16,7 +16,7 @@ struct Signature {
   const char* message;
 };
 
-constexpr std::array<Signature, 10> not_meshes = {{
+constexpr std::array<Signature, 11> not_meshes = {{
     {"\x1f\x8b"sv, "is compressed with gzip, wanted the unpacked file (gunzip it)"},
     {"PK\x03\x04"sv, "is a ZIP archive, wanted the unpacked file (unzip it)"},
     {"BZh"sv, "is compressed with bzip2, wanted the unpacked file (bunzip2 it)"},
@@ -27,8 +27,10 @@ constexpr std::array<Signature, 10> not_meshes = {{
     {"7z\xbc\xaf\x27\x1c"sv, "is a 7z archive, wanted the unpacked file"},
     {"\xff\xfe"sv, "is UTF-16 text, wanted UTF-8 or ASCII (convert it with iconv)"},
     {"\xfe\xff"sv, "is UTF-16 text, wanted UTF-8 or ASCII (convert it with iconv)"},
-    {"\x89PNG"sv, "is a picture (PNG), wanted OFF, OBJ, PLY or STL"},
-    {"%PDF"sv, "is a PDF document, wanted OFF, OBJ, PLY or STL"},
+    {"\x89PNG"sv, "is a picture (PNG), wanted OFF, OBJ, PLY, GLB or STL"},
+    {"version https://git-lfs"sv,
+     "is a pointer of Git LFS to the file, wanted the file itself (git lfs pull)"},
+    {"%PDF"sv, "is a PDF document, wanted OFF, OBJ, PLY, GLB or STL"},
 }};
 
 void refuse_markup(std::string_view bytes, const std::string& path)
@@ -38,7 +40,7 @@ void refuse_markup(std::string_view bytes, const std::string& path)
   const bool is_html = starts_with(word, "<!doctype") || starts_with(word, "<html");
   throw Read_error(path, 0,
                    std::string(is_html ? "is an HTML page" : "is an XML document") +
-                       ", wanted OFF, OBJ, PLY or STL");
+                       ", wanted OFF, OBJ, PLY, GLB or STL");
 }
 
 }  // namespace

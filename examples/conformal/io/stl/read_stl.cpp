@@ -150,18 +150,25 @@ Surface_file parse_binary_stl(std::string_view bytes, const std::string& path, B
     throw Read_error(path, 0,
                      "is not an STL file: it has " + std::to_string(bytes.size()) +
                          " bytes and does not begin with solid");
-  const std::size_t facets = announced_facets(bytes);
-  if (!is_binary_stl(bytes))
+  const std::size_t facets = announced_facets(bytes), size = header_size + facet_size * facets;
+  if (bytes.size() < size)
     throw Read_error(path, 0,
                      "is not a whole STL file: " + std::to_string(facets) + " facets need " +
-                         std::to_string(header_size + facet_size * facets) + " bytes, but it has " +
+                         std::to_string(size) + " bytes, but it has " +
                          std::to_string(bytes.size()));
+  const std::size_t surplus = bytes.size() - size;
+  if (surplus >= facet_size)  // the number may be wrong
+    throw Read_error(path, 0,
+                     "announces " + std::to_string(facets) + " facets, but " +
+                         std::to_string(surplus) + " bytes follow them, wanted the right number");
   if (facets == 0) throw Read_error(path, 0, "no facets, wanted a surface");
   // A facet has three corners, which may all be different vertices, and these are counted by int.
   if (facets > 715827882)
     throw Read_error(path, 0, "more than 715827882 facets, the limit for STL");
   Surface_file file = stl_file(path);
   file.faces.size = facets;
+  if (surplus > 0)
+    file.notes.push_back("left out: " + std::to_string(surplus) + " bytes after the last facet");
   read_facets(bytes, path, bad_faces, file);
   return file;
 }
