@@ -5,6 +5,7 @@
 
 #include "conformal/repair/triangulation.h"
 #include "program/support.h"
+#include "support/polyhedra.h"
 #include "support/spheres.h"
 
 #include "conformal/io/read_surface.h"
@@ -95,6 +96,28 @@ TEST(Surface_input, leaves_vertices_without_faces_out)
   EXPECT_EQ(input.mesh.size_of_vertices(), 12);
   EXPECT_EQ(name_of_vertex(input, 0), "vertex 2");
   EXPECT_EQ(to_file_vertices(input, Eigen::VectorXd::Ones(12), 5)[1], 5);
+}
+
+class Seams : public Program {};
+
+/// a tetrahedron whose faces have corners of their own, as seams of texture coordinates cut it
+TEST_F(Seams, are_noted_wherever_a_surface_is_read)
+{
+  const CGP::Mesh_view mesh = cgp_test::tetrahedron();
+  CGP::Points points(3, 12);
+  CGP::Mesh_view::Corners corners(4);
+  for (int c = 0; c < 12; ++c) {
+    points.col(c) = mesh.position(mesh.corners(c / 3)[static_cast<std::size_t>(c % 3)]);
+    corners[static_cast<std::size_t>(c / 3)][static_cast<std::size_t>(c % 3)] = c;
+  }
+  write("a.off", off({points, corners}));
+  const std::string note = "8 vertices at the boundary on others; --repair merges them";
+  EXPECT_NE(run("info a.off").err.find(note), std::string::npos);
+  EXPECT_NE(run("split a.off -o b.off").err.find(note), std::string::npos);
+  EXPECT_TRUE(fails(run("info a.off --strict"), 4, note));
+  const Program_run repaired = run("info a.off --repair");
+  EXPECT_EQ(repaired.err.find(note), std::string::npos) << repaired.err;
+  EXPECT_NE(repaired.err.find("8 vertices merged"), std::string::npos) << repaired.err;
 }
 
 }  // namespace cgp_test::surface_input_tests

@@ -46,6 +46,7 @@ void tell_counts(const Surface_input& input, const Defects& defects, Report& rep
   report.show("faces", std::to_string(static_cast<int>(input.file.polygons.size())));
   if (input.triangulated > 0) report.show("triangles", std::to_string(mesh.size_of_faces()));
   report.show("unreferenced vertices", std::to_string(input.unreferenced));
+  report.show("boundary vertices on others", std::to_string(input.coinciding));
   int components = 0;
   for (const int c : CGP::connected_components(mesh)) components = std::max(components, c + 1);
   report.show("components", std::to_string(components));
@@ -140,6 +141,7 @@ void info(const Info_options& options, Session& session)
   const std::vector<std::string> problems = problems_of(defects);
   for (const std::string& problem : problems) report.show("problem", problem);
   report.set("result/unreferenced_vertices", input.unreferenced);
+  report.set("result/coinciding_vertices", input.coinciding);
   report.set("result/problems", problems);
   session.end_stage("measure");
   if (!session.options().strict) return;

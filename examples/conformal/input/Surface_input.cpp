@@ -10,6 +10,7 @@
 #include <Conformal_geometry_processing/mesh/Normalized_frame.h>
 
 #include <numeric>
+#include <set>
 
 namespace conformal {
 namespace {
@@ -85,6 +86,21 @@ void turn_outward(Surface_input& input)
       "the surface is inside out: computed with outward normals, faces are written as they were");
 }
 
+// As at seams of texture coordinates, where programs that have them at vertices cut a surface open.
+int coinciding_at_boundary(const CGP::Mesh_view& mesh)
+{
+  std::set<int> boundary;
+  for (int k = 0; k < mesh.size_of_edges(); ++k)
+    for (const int v : mesh.ends(k))
+      if (mesh.halfedges_end(k) - mesh.halfedges_begin(k) == 1) boundary.insert(v);
+  std::set<Point> points;
+  for (const int v : boundary) {
+    const Eigen::Vector3d p = mesh.position(v);
+    points.insert({p.x(), p.y(), p.z()});
+  }
+  return static_cast<int>(boundary.size() - points.size());
+}
+
 // The index in the user's file, before its repair.
 int before_repair(std::vector<int> Repair::*in_file, const Surface_input& input, int i)
 {
@@ -116,7 +132,8 @@ Surface_input prepare(Surface_file file)
                           " triangulated for the computation, written as they were");
   if (input.unreferenced > 0)
     input.notes.push_back(count_of(static_cast<std::size_t>(input.unreferenced), "vertex") +
-                          " without a face left where they are");
+                          " without a face: no part of the surface");
+  input.coinciding = coinciding_at_boundary(input.mesh);
   repair_orientation(input);
   turn_outward(input);
   return input;
@@ -137,6 +154,9 @@ Surface_input read_surface_input(const std::string& path, bool is_repaired)
   Surface_input input = prepare(std::move(file));
   input.repair = std::move(repaired);
   input.notes.insert(input.notes.begin(), notes.begin(), notes.end());
+  if (input.coinciding > 0 && !is_repaired)
+    input.notes.push_back(count_of(static_cast<std::size_t>(input.coinciding), "vertex") +
+                          " at the boundary on others; --repair merges them");
   return input;
 }
 

@@ -25,6 +25,7 @@ struct Surface_input {
   std::vector<int> face_in_file;    ///< of each triangle of the mesh
 
   int unreferenced = 0;            ///< vertices of the file without a face
+  int coinciding = 0;              ///< vertices at the boundary that lie exactly on others there
   int triangulated = 0;            ///< polygons of the file with more than three corners
   int turned_faces = 0;            ///< faces whose orientation was repaired
   bool is_orientable = true;       ///< no face had to be left against its neighbour
