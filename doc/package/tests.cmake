@@ -3,7 +3,7 @@ cmake_minimum_required(VERSION 3.12...3.25)
 project(Conformal_geometry_processing_Tests)
 
 find_package(CGAL REQUIRED)
-find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+find_package(Eigen3 REQUIRED NO_MODULE) # 3.4 or later; 5 refuses the number 3.4
 find_package(Threads REQUIRED)
 find_package(GTest QUIET)
 if(NOT GTest_FOUND)
