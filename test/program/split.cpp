@@ -60,4 +60,20 @@ TEST_F(Split, leaves_out_crumbs_and_overwrites_no_input)
   EXPECT_FALSE(has("c_0001.off"));
 }
 
+TEST_F(Split, writes_all_parts_or_none)
+{
+  write("a.off", off(cgp_test::interleaved({cgp_test::tetrahedron(), cgp_test::disk(2)}).mesh));
+  std::filesystem::create_directory(path("b_0001.off"));
+  EXPECT_TRUE(fails(run("split a.off -o b.off"), 5, "b_0001.off: is a directory"));
+  EXPECT_FALSE(has("b_0000.off"));
+}
+
+TEST_F(Split, notes_vertices_that_are_in_no_part)
+{
+  write("a.off", off(cgp_test::tetrahedron(), "7 8 9\n", 1));
+  const Program_run r = run("split a.off -o b.off");
+  EXPECT_EQ(r.code, 0);
+  EXPECT_NE(r.err.find("1 vertex without a face left out"), std::string::npos) << r.err;
+}
+
 }  // namespace cgp_test::split_tests

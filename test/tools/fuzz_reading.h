@@ -44,11 +44,11 @@ inline void require_writable(const conformal::Surface_file& file)
   }
   for (const auto encoding :
        {conformal::Ply_encoding::ascii, conformal::Ply_encoding::big_endian}) {
-    const std::string ply = conformal::encode_ply(file, encoding, notes);
+    const std::string ply = conformal::encode_ply(file, {encoding}, notes);
     const conformal::Surface_file again = conformal::parse_ply(ply, "again.ply");
     require(again.points == file.points, "PLY brings back other points");
     require(again.polygons.corners == file.polygons.corners, "PLY brings back other faces");
-    require(conformal::encode_ply(again, encoding, notes) == ply, "PLY is written otherwise");
+    require(conformal::encode_ply(again, {encoding}, notes) == ply, "PLY is written otherwise");
   }
 }
 

@@ -73,7 +73,7 @@ inline std::string seed_file(const Mesh_view& mesh, const std::string& extension
   if (extension == ".obj") return conformal::encode_obj(file, notes);
   const auto encoding =
       is_text ? conformal::Ply_encoding::ascii : conformal::Ply_encoding::little_endian;
-  return conformal::encode_ply(file, encoding, notes);
+  return conformal::encode_ply(file, {encoding}, notes);
 }
 
 }  // namespace fuzz

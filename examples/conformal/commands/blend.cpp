@@ -7,7 +7,6 @@
 #include "conformal/input/rho.h"
 #include "conformal/input/same_faces.h"
 #include "conformal/io/file/snapshot_path.h"
-#include "conformal/io/write_surface.h"
 #include "conformal/process/Failure.h"
 #include "conformal/process/text.h"
 #include "conformal/report/keep_exhibit.h"
@@ -238,9 +237,9 @@ void write_frames(const std::vector<Transformed_surface>& surfaces, const Surfac
 {
   const std::string& output = session.options().output;
   for (int k = 0; k < options.frames; ++k)
-    session.note_all(write_surface(
-        snapshot_path(output, k),
-        result_file(start, surfaces[static_cast<std::size_t>(k)], options.spin.lambda)));
+    write_mesh(snapshot_path(output, k),
+               result_file(start, surfaces[static_cast<std::size_t>(k)], options.spin.lambda),
+               session);
   write_result(start, surfaces.back(), session, options.spin.lambda);
 }
 

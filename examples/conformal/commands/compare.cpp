@@ -4,7 +4,6 @@
 
 #include "conformal/input/Defects.h"
 #include "conformal/input/same_faces.h"
-#include "conformal/io/write_surface.h"
 #include "conformal/process/Failure.h"
 #include "conformal/process/text.h"
 #include "conformal/report/certificate.h"
@@ -36,7 +35,7 @@ void add_options(CLI::App& command, Compare_options& compare, Common_options& co
 {
   command.add_option("before", compare.before, "mesh file")->required();
   command.add_option("after", compare.after, "mesh file with the same faces")->required();
-  add_output(command, common, "the second mesh, with quality");
+  add_mesh_output(command, common, "the second mesh, with quality");
   add_html(command, common);
 }
 
@@ -115,7 +114,7 @@ void compare(const Compare_options& options, Session& session)
   keep_exhibit(before, positions, session);
   if (output.empty()) return;
   set_quality(before, positions, after.file);
-  session.note_all(write_surface(output, after.file));
+  write_mesh(output, after.file, session);
   session.end_stage("write");
 }
 

@@ -3,7 +3,6 @@
 #include "option_groups.h"
 
 #include "conformal/io/data/texture_coordinates.h"
-#include "conformal/io/write_surface.h"
 #include "conformal/process/interruption.h"
 #include "conformal/report/keep_exhibit.h"
 #include "conformal/transform/each_component.h"
@@ -179,7 +178,7 @@ void flatten(const Flatten_options& options, Session& session)
   const Cut_surface surface = opened(std::move(input), options.cut);
   const Flat_components flat = flatten_components(surface.input, options, session);
   keep_flat_exhibit(surface.input, with_those_left(surface.input.mesh, flat), session);
-  session.note_all(write_surface(output, file_of(surface, std::move(before), flat, options)));
+  write_mesh(output, file_of(surface, std::move(before), flat, options), session);
   session.end_stage("write");
 }
 

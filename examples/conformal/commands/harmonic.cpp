@@ -2,7 +2,6 @@
 #include "Command.h"
 #include "option_groups.h"
 
-#include "conformal/io/write_surface.h"
 #include "conformal/process/Failure.h"
 #include "conformal/process/interruption.h"
 #include "conformal/process/text.h"
@@ -42,7 +41,7 @@ void add_options(CLI::App& command, Harmonic_options& harmonic, Common_options& 
   add_input(command, harmonic.input);
   add_repair(command, common);
   add_components(command, common);
-  add_output(command, common, "the mesh with the fields");
+  add_mesh_output(command, common, "the mesh with the fields");
   command.add_option("--form", harmonic.form, "write only this one, counted from 0")
       ->check(CLI::NonNegativeNumber);
 }
@@ -184,7 +183,7 @@ void harmonic(const Harmonic_options& options, Session& session)
     add_fields(input, component, find(component.input, options, own), options.form, fields);
   });
   if (output.empty()) return;
-  session.note_all(write_surface(output, file_with_fields(input, fields)));
+  write_mesh(output, file_with_fields(input, fields), session);
   session.end_stage("write");
 }
 

@@ -48,6 +48,14 @@ CLI::Option* add_output(CLI::App& command, Common_options& common, const char* w
   return command.add_option("-o,--output", common.output, what)->check(file_name);
 }
 
+CLI::Option* add_mesh_output(CLI::App& command, Common_options& common, const char* what)
+{
+  command.add_flag("--ascii", common.ascii, "write PLY as text");
+  command.add_flag("--float", common.is_single,
+                   "write the coordinates of PLY in single precision, which some programs want");
+  return add_output(command, common, what);
+}
+
 void add_html(CLI::App& command, Common_options& common)
 {
   command
@@ -73,7 +81,7 @@ void add_transformation(CLI::App& command, Common_options& common)
 {
   add_repair(command, common);
   add_components(command, common);
-  add_output(command, common)->required();
+  add_mesh_output(command, common)->required();
   add_html(command, common);
 }
 

@@ -39,6 +39,10 @@ void add_input(CLI::App& command, std::string& input);
 void add_repair(CLI::App& command, Common_options& common);
 CLI::Option* add_output(CLI::App& command, Common_options& common,
                         const char* what = "where the result goes");
+
+/// likewise for a mesh, with options for PLY
+CLI::Option* add_mesh_output(CLI::App& command, Common_options& common,
+                             const char* what = "where the result goes");
 void add_html(CLI::App& command, Common_options& common);
 
 /// --each-component, --keep-going

@@ -47,7 +47,7 @@ void add_options(CLI::App& command, Spectrum_options& options, Common_options& c
 {
   add_repair(command, common);
   add_components(command, common);
-  add_output(command, common, "the surface of an eigenfunction");
+  add_mesh_output(command, common, "the surface of an eigenfunction");
   add_map_limits(command, options.limits, options.force);
   add_input(command, options.input);
   command.add_option("--count", options.count, "how many eigenvalues")

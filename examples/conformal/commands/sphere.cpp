@@ -46,7 +46,7 @@ void add_options(CLI::App& command, Sphere_options& options, Common_options& com
       ->check(CLI::Range(0, 9))
       ->capture_default_str();
   add_map_limits(command, options.limits, options.force);
-  add_output(command, common)->required();
+  add_mesh_output(command, common)->required();
 }
 
 Files files(const Sphere_options&)

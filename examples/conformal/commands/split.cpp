@@ -4,8 +4,8 @@
 #include "option_groups.h"
 
 #include "conformal/input/Surface_input.h"
+#include "conformal/io/file/io_errors.h"
 #include "conformal/io/file/snapshot_path.h"
-#include "conformal/io/write_surface.h"
 #include "conformal/process/Failure.h"
 #include "conformal/process/text.h"
 #include "conformal/repair/select_faces.h"
@@ -15,6 +15,7 @@
 #include <Conformal_geometry_processing/mesh/topology.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -38,7 +39,7 @@ void add_options(CLI::App& command, Split_options& split, Common_options& common
 {
   add_input(command, split.input);
   add_repair(command, common);
-  add_output(command, common, "the name to which numbers are added")->required();
+  add_mesh_output(command, common, "the name to which numbers are added")->required();
   command.add_option("--min-faces", split.min_faces, "leave out components with fewer faces")
       ->check(above_zero)
       ->capture_default_str();
@@ -66,21 +67,34 @@ std::vector<std::vector<int>> faces_of_components(const Surface_input& input, in
   return faces;
 }
 
-void write_parts(const Surface_input& input, const std::vector<std::vector<int>>& faces,
-                 Session& session)
+/// \returns the paths of the files
+std::vector<std::string> write_parts(const Surface_input& input,
+                                     const std::vector<std::vector<int>>& faces, Session& session)
 {
   Grid grid({"component", "vertices", "faces", "file"});
   std::vector<std::string> paths;
-  for (std::size_t c = 0; c < faces.size(); ++c) {
-    const Surface_file part = part_of(input.file, faces[c]);
-    paths.push_back(snapshot_path(session.options().output, static_cast<int>(c)));
-    session.note_all(write_surface(paths.back(), part));
-    grid.add({std::to_string(c), std::to_string(part.points.size()),
-              std::to_string(part.polygons.size()), paths.back()});
+  try {
+    for (std::size_t c = 0; c < faces.size(); ++c) {
+      const Surface_file part = part_of(input.file, faces[c]);
+      const std::string path = snapshot_path(session.options().output, static_cast<int>(c));
+      write_mesh(path, part, session);
+      paths.push_back(path);
+      grid.add({std::to_string(c), std::to_string(part.points.size()),
+                std::to_string(part.polygons.size()), path});
+    }
+  } catch (const Write_error&) {  // such as of a full disk: all parts or none
+    for (const std::string& path : paths) std::filesystem::remove(path);
+    throw;
   }
-  session.report().set("result/components", static_cast<int>(faces.size()));
-  session.report().set("result/files", Report::Value(paths));
   session.report().show(grid);
+  return paths;
+}
+
+void note_unreferenced(const Surface_input& input, Session& session)
+{
+  if (input.unreferenced > 0)
+    session.note(count_of(static_cast<std::size_t>(input.unreferenced), "vertex") +
+                 " without a face left out");
 }
 
 void split(const Split_options& options, Session& session)
@@ -95,7 +109,9 @@ void split(const Split_options& options, Session& session)
   if (faces.empty())
     throw unsuitable(options.input, "no component has so many faces; try: a smaller --min-faces");
   require_new_files("component", output, static_cast<int>(faces.size()), {options.input});
-  write_parts(input, faces, session);
+  note_unreferenced(input, session);
+  session.report().set("result/files", Report::Value(write_parts(input, faces, session)));
+  session.report().set("result/components", static_cast<int>(faces.size()));
   session.end_stage("write");
 }
 

@@ -72,7 +72,7 @@ std::size_t distorted(const std::vector<const Point*>& before,
 }  // namespace
 
 void require_written(const std::string& path, const Surface_file& meant, std::string_view bytes,
-                     std::vector<std::string>& notes)
+                     std::vector<std::string>& notes, Value_type coordinates_of_ply)
 {
   const Surface_file read = read_again(path, bytes);
   const std::vector<const Point*> before = corners_of(meant), after = corners_of(read);
@@ -80,13 +80,15 @@ void require_written(const std::string& path, const Surface_file& meant, std::st
     throw Write_error(path, std::to_string(after.size() / 3) + " triangles were written, wanted " +
                                 std::to_string(before.size() / 3));
   if (before.empty()) return;
-  const bool is_single = read.format == File_format::glb || read.format == File_format::stl;
+  const bool is_single =
+      read.format == File_format::glb || read.format == File_format::stl ||
+      (read.format == File_format::ply && coordinates_of_ply == Value_type::float32);
   const double allowed = is_single ? 1e-6 * diagonal(before) : 0;
   for (std::size_t c = 0; c < before.size(); ++c)
     if (!(distance(*before[c], *after[c]) <= allowed))
-      throw Write_error(path, "a corner of triangle " + std::to_string(c / 3) +
-                                  " does not fit into " +
-                                  (is_single ? "single precision; try: .ply" : "the file"));
+      throw Write_error(
+          path, "a corner of triangle " + std::to_string(c / 3) + " does not fit into " +
+                    (is_single ? "single precision; try: .ply without --float" : "the file"));
   const std::size_t count = is_single ? distorted(before, after) : 0;
   if (count > 0)
     notes.push_back("single precision distorts " + std::to_string(count) +

@@ -16,6 +16,7 @@ namespace conformal {
 /// \param notes receives how many faces are distorted by this rounding
 /// \throws Write_error for `path`
 void require_written(const std::string& path, const Surface_file& meant, std::string_view bytes,
-                     std::vector<std::string>& notes);
+                     std::vector<std::string>& notes,
+                     Value_type coordinates_of_ply = Value_type::float64);
 
 }  // namespace conformal

@@ -9,13 +9,12 @@
 #include "conformal/io/glb/write_glb.h"
 #include "conformal/io/obj/write_obj.h"
 #include "conformal/io/off/write_off.h"
-#include "conformal/io/ply/write_ply.h"
 #include "conformal/io/stl/write_stl.h"
 
 namespace conformal {
 namespace {
 
-std::string encoded(const std::string& path, const Surface_file& file,
+std::string encoded(const std::string& path, const Surface_file& file, const Ply_style& style,
                     std::vector<std::string>& notes)
 {
   switch (output_format(path)) {
@@ -28,7 +27,7 @@ std::string encoded(const std::string& path, const Surface_file& file,
     case File_format::stl:
       return encode_stl(file, notes);
     default:
-      return encode_ply(file, Ply_encoding::little_endian, notes);
+      return encode_ply(file, style, notes);
   }
 }
 
@@ -42,12 +41,14 @@ File_format output_format(const std::string& path)
   return *format;
 }
 
-std::vector<std::string> write_surface(const std::string& path, const Surface_file& file)
+std::vector<std::string> write_surface(const std::string& path, const Surface_file& file,
+                                       const Ply_style& style)
 {
   std::vector<std::string> notes = file.notes;
   Temporary_file written(path);
-  written.write(encoded(path, file, notes));
-  if (const auto bytes = written.read_back()) require_written(path, file, *bytes, notes);
+  written.write(encoded(path, file, style, notes));
+  if (const auto bytes = written.read_back())
+    require_written(path, file, *bytes, notes, style.coordinates);
   written.commit();
   if (written.changes_owner()) notes.push_back(path + " has another owner than the file before");
   return notes;

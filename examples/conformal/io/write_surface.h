@@ -2,6 +2,7 @@
 #pragma once
 
 #include "conformal/io/data/Surface_file.h"
+#include "conformal/io/ply/write_ply.h"
 
 #include <string>
 #include <vector>
@@ -17,6 +18,7 @@ File_format output_format(const std::string& path);
 /// again and compared with the surface before they appear (`require_written()`).
 /// \return the notes of `file`, and data that the format does not support, one line each. \throws
 /// Write_error
-std::vector<std::string> write_surface(const std::string& path, const Surface_file& file);
+std::vector<std::string> write_surface(const std::string& path, const Surface_file& file,
+                                       const Ply_style& style = {});
 
 }  // namespace conformal

@@ -17,6 +17,7 @@ struct Common_options {
   double tolerance = 1e-8;
   double max_memory = 0;  ///< in GiB; 0 for half of the machine's
   Progress_choice progress = Progress_choice::automatic;
+  bool ascii = false, is_single = false;  ///< how PLY is written
   bool quiet = false, strict = false, repair = false;
   bool each_component = false;  ///< works on one component after the other
   bool keep_going = false;      ///< writes those that succeed

@@ -4,7 +4,6 @@
 #include "write_result.h"
 
 #include "conformal/io/file/snapshot_path.h"
-#include "conformal/io/write_surface.h"
 #include "conformal/process/text.h"
 #include "conformal/report/verification.h"
 
@@ -75,7 +74,7 @@ void Flow_watch::write_snapshot(int step, const CGP::Mesh_view& mesh)
     return m_session.note(path + " is not written: it is the input");
   if (!verdict.is_verified() && !m_options.force)
     return m_session.note(path + " is not written: " + verdict.fault);
-  write_surface(path, result_file(m_input, {mesh.positions()}));
+  write_surface(path, result_file(m_input, {mesh.positions()}), ply_style(m_session.options()));
 }
 
 }  // namespace conformal

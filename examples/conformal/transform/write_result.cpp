@@ -2,7 +2,6 @@
 #include "write_result.h"
 
 #include "conformal/io/file/Temporary_file.h"
-#include "conformal/io/write_surface.h"
 #include "conformal/report/keep_exhibit.h"
 
 #include <Conformal_geometry_processing/measure/distortion.h>
@@ -138,13 +137,24 @@ Surface_file result_file(const Surface_input& input, const Transformed_surface& 
   return file;
 }
 
+Ply_style ply_style(const Common_options& options)
+{
+  return {options.ascii ? Ply_encoding::ascii : Ply_encoding::little_endian,
+          options.is_single ? Value_type::float32 : Value_type::float64};
+}
+
+void write_mesh(const std::string& path, const Surface_file& file, Session& session)
+{
+  session.note_all(write_surface(path, file, ply_style(session.options())));
+}
+
 void write_result(const Surface_input& input, const Transformed_surface& surface, Session& session,
                   const std::string& lambda)
 {
   const CGP::Curvature_potential& rho = surface.rho;
   keep_exhibit(input, surface.positions, session);
   if (rho.values.size() > 0) report_rho(input.mesh, rho, session.outcome());
-  session.note_all(write_surface(session.options().output, result_file(input, surface, lambda)));
+  write_mesh(session.options().output, result_file(input, surface, lambda), session);
   session.end_stage("write");
 }
 

@@ -4,6 +4,7 @@
 #include "Component.h"
 #include "solve_spin.h"
 
+#include "conformal/io/write_surface.h"
 #include "conformal/report/Session.h"
 
 #include <string>
@@ -44,6 +45,12 @@ Eigen::VectorXd at_faces(const CGP::Mesh_view& mesh, const CGP::Curvature_potent
 /// properties `<name>_w` to `<name>_z`
 Surface_file result_file(const Surface_input& input, const Transformed_surface& surface,
                          const std::string& lambda = "");
+
+/// how the options want PLY
+Ply_style ply_style(const Common_options& options);
+
+/// Writes a mesh as the options say, and notes what was left out. \throws Write_error
+void write_mesh(const std::string& path, const Surface_file& file, Session& session);
 
 /// Writes the result to the output, and stores it for the HTML report. \throws Write_error
 void write_result(const Surface_input& input, const Transformed_surface& surface, Session& session,

@@ -22,7 +22,7 @@ constexpr std::array encodings = {Ply_encoding::ascii, Ply_encoding::little_endi
 std::string encode(const Surface_file& file, Ply_encoding encoding)
 {
   std::vector<std::string> notes;
-  return encode_ply(file, encoding, notes);
+  return encode_ply(file, {encoding}, notes);
 }
 
 bool has_same_bits(const Element& a, const Element& b)
@@ -92,6 +92,21 @@ TEST(Write_ply, keeps_every_double_of_a_point)
   }
 }
 
+TEST(Write_ply, writes_coordinates_in_single_precision_on_request)
+{
+  const Surface_file file =
+      parse_off("OFF\n3 1 0\n0.1 0 0\n1 0 0\n0 16777217 0\n3 0 1 2\n", "a.off");
+  std::vector<std::string> notes;
+  for (const Ply_encoding encoding : encodings) {
+    const std::string bytes = encode_ply(file, {encoding, Value_type::float32}, notes);
+    EXPECT_NE(bytes.find("property float x"), std::string::npos);
+    const Surface_file again = parse_ply(bytes, "b.ply");
+    EXPECT_EQ(again.points[0][0], static_cast<double>(0.1f));
+    EXPECT_EQ(again.points[2][1], 16777216);
+    EXPECT_EQ(encode_ply(again, {encoding, Value_type::float32}, notes), bytes);
+  }
+}
+
 TEST(Write_ply, gives_attributes_of_text_formats_the_types_that_viewers_know)
 {
   const Surface_file file = parse_off(
@@ -141,10 +156,10 @@ TEST(Write_ply, writes_normals_of_vertices_and_notes_what_it_leaves_out)
   std::vector<std::string> notes;
   const std::string points = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvn 0 0 1\nvn 1 0 0\n";
   encode_ply(parse_obj(points + "f 1//1 2//1 3//2\nf 1//1 3//2 4//1\n", "a.obj"),
-             Ply_encoding::ascii, notes);
+             {Ply_encoding::ascii}, notes);
   EXPECT_TRUE(notes.empty());
   encode_ply(parse_obj(points + "g a\nf 1//1 2//1 3//2\nf 1//2 3//2 4//1\n", "a.obj"),
-             Ply_encoding::ascii, notes);
+             {Ply_encoding::ascii}, notes);
   EXPECT_EQ(notes, (std::vector<std::string>{
                        "normals that differ at the corners of a vertex are not written to PLY",
                        "groups and materials are not written to PLY"}));

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 namespace conformal {
 namespace {
@@ -140,7 +141,10 @@ class Ply_writer {
   void write_number(Number number)
   {
     if (m_encoding == Ply_encoding::ascii) {
-      append_number(m_bytes, number);
+      if constexpr (std::is_integral_v<Number>)
+        append_number(m_bytes, std::int64_t{number});
+      else
+        append_number(m_bytes, number);
       m_bytes += ' ';
     } else {
       append_little_endian(m_bytes, number);
@@ -175,15 +179,6 @@ class Ply_writer {
   std::string take() { return std::move(m_bytes); }
 
  private:
-  static void append_number(std::string& bytes, std::int32_t number)
-  {
-    conformal::append_number(bytes, std::int64_t{number});
-  }
-  static void append_number(std::string& bytes, double number)
-  {
-    conformal::append_number(bytes, number);
-  }
-
   void write_value(const Property& property, std::size_t i)
   {
     if (m_encoding == Ply_encoding::ascii) {
@@ -207,13 +202,13 @@ class Ply_writer {
 };
 
 void write_header(Ply_writer& writer, const Surface_file& file, const Element& vertices,
-                  const Element& faces, Value_type degree_type)
+                  const Element& faces, Value_type degree_type, Value_type coordinates)
 {
   writer.write_lines("comment", file.comments);
   writer.write_lines("obj_info", file.object_info);
   writer.write_line("element vertex " + std::to_string(file.points.size()));
   for (const char* name : {"x", "y", "z"})
-    writer.write_line(std::string("property double ") + name);
+    writer.write_line("property " + std::string(name_of(coordinates)) + ' ' + name);
   writer.write_properties(vertices);
   writer.write_line("element face " + std::to_string(file.polygons.size()));
   writer.write_line("property list " + std::string(name_of(degree_type)) + " int vertex_indices");
@@ -235,7 +230,7 @@ void write_face(Ply_writer& writer, const Polygons& polygons, std::size_t f, Val
 
 }  // namespace
 
-std::string encode_ply(const Surface_file& file, Ply_encoding encoding,
+std::string encode_ply(const Surface_file& file, const Ply_style& style,
                        std::vector<std::string>& notes)
 {
   Element vertices = file.vertices, faces = file.faces;
@@ -247,10 +242,12 @@ std::string encode_ply(const Surface_file& file, Ply_encoding encoding,
   add_normals(file, vertices);
   note_losses(file, written_to_ply(file), notes);
   const Value_type degree_type = length_type(file.polygons, 1);
-  Ply_writer writer(encoding);
-  write_header(writer, file, vertices, faces, degree_type);
+  const bool is_single = style.coordinates == Value_type::float32;
+  Ply_writer writer(style.encoding);
+  write_header(writer, file, vertices, faces, degree_type, style.coordinates);
   for (std::size_t v = 0; v < file.points.size(); ++v) {
-    for (const double x : file.points[v]) writer.write_number(x);
+    for (const double x : file.points[v])
+      is_single ? writer.write_number(static_cast<float>(x)) : writer.write_number(x);
     writer.write_row(vertices, v);
   }
   for (std::size_t f = 0; f < file.polygons.size(); ++f) {
