@@ -1,5 +1,5 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-// Tests spin/Spin_gauge.h
+// Tests spin/gauge.h
 // Tests spin/Spin_report.h
 #include <Conformal_geometry_processing/measure/distortion.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>

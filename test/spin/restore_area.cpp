@@ -1,6 +1,6 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-// Tests spin/Spin_gauge.h
-#include <Conformal_geometry_processing/spin/Spin_gauge.h>
+// Tests spin/gauge.h
+#include <Conformal_geometry_processing/spin/gauge.h>
 
 #include <gtest/gtest.h>
 

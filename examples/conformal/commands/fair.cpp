@@ -30,7 +30,8 @@ const char* const fair_about =
     "The formula has x, y, z (the middle of the bounding box is 0, its diagonal 2) and the normal\n"
     "nx, ny, nz, as that of `conformal spin --rho-expression`.\n"
     "The output has the vertex property quality (quasi-conformal error, 1 is perfect).\n"
-    "A result that does not verify is not written, and the exit code is 1.\n"
+    "A result that does not verify is not written; one that is not yet as smooth as possible is.\n"
+    "Both exit with 1.\n"
     "Example, which takes an ear off a bear: conformal fair bear.off --outline\n"
     "  --region-expression 'min(y-.4,-x-.05)' -o bear_faired.ply";
 
@@ -141,10 +142,13 @@ void fair(const Fair_options& options, Session& session)
     tell_fairing(result.report, mesh.size_of_faces(), own.report());
     Evidence evidence{result.positions};
     evidence.map = result.report.conformality;
-    if (!result.report)
-      evidence.fault = result.report.message + "; try: more --steps, a finer mesh";
-    const Verdict verdict = judge(evidence, limits_of(options), "a smaller region, or --outline");
-    own.conclude(verdict, on_fault(options.force));
+    Verdict verdict = judge(evidence, limits_of(options), "a smaller region, or --outline");
+    const bool is_better =
+        verdict.is_verified() && result.report.energy < result.report.initial_energy;
+    if (verdict.is_verified() && !result.report)
+      verdict.fault = result.report.message + "; try: more --steps, a finer mesh";
+    const On_fault write = is_better ? On_fault::fail_in_the_end : On_fault::refuse;
+    own.conclude(verdict, options.force ? On_fault::force : write);
     surface.positions(Eigen::indexing::all, component.vertices) = result.positions;
   });
   write_result(input, surface, session);

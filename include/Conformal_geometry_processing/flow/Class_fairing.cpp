@@ -148,7 +148,7 @@ bool internal::Class_fairing::return_to_class(State& state) const
 internal::Fairing_step internal::Class_fairing::step(const Bending_energy& present)
 {
   assemble(present);
-  require_fairing_solver(m_solver.factorize(m_matrix, {}));
+  factorize_fairing(m_solver, m_matrix);
   const Points& f = present.mesh().positions();
   const Points all = present.gradient();
   Points g(3, m_patch.size());
@@ -170,7 +170,7 @@ internal::Fairing_step internal::Class_fairing::step(const Bending_energy& prese
 void internal::Class_fairing::polish(Points& f)
 {
   assemble(Bending_energy(m_patch, f));
-  require_fairing_solver(m_solver.factorize(m_matrix, {}));
+  factorize_fairing(m_solver, m_matrix);
   State state{f, m_scales, residuals(f, m_scales)};
   return_to_class(state);
   f = std::move(state.f);

@@ -6,7 +6,7 @@
 #include <Conformal_geometry_processing/operators/cotan_laplacian.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 #include <Conformal_geometry_processing/operators/vertex_graph.h>
-#include <Conformal_geometry_processing/spin/Spin_gauge.h>
+#include <Conformal_geometry_processing/spin/gauge.h>
 #include <Quaternionic_linear_algebra/exceptions.h>
 
 #include <Eigen/Core>

@@ -70,18 +70,18 @@ Points internal::Outline_fairing::harmonic_with_unit_weights() const
   return solver.solve(L, Block<double>::Zero(f.rows(), 3), f).transpose();
 }
 
-void internal::Outline_fairing::factorize(const Bending_energy& energy)
+void internal::Outline_fairing::assemble(const Bending_energy& energy)
 {
   m_matrix.set_zero();
   m_bending.assemble(energy, [this](int k, double x) { m_matrix.value(k) += x; });
-  require_fairing_solver(m_solver.factorize(m_matrix, {}));
 }
 
 // K f = 0 with all vertices, of which the held ones are the right-hand side: L A^-1 L of f without
 // the free ones.
 Points internal::Outline_fairing::biharmonic(const Bending_energy& energy)
 {
-  factorize(energy);
+  assemble(energy);
+  require_fairing_solver(m_solver.factorize(m_matrix, {}));
   const Mesh_view& mesh = energy.mesh();
   Points f = mesh.positions();
   for (int k = 0; k < m_patch.size(); ++k) f.col(m_patch.free_vertex(k)).setZero();
@@ -153,7 +153,8 @@ internal::Fairing_step internal::Outline_fairing::descend_from(const Points& rel
                                                                int halvings)
 {
   const Bending_energy energy(m_patch, relaxed);
-  factorize(energy);
+  assemble(energy);
+  factorize_fairing(m_solver, m_matrix);
   const Points d = descent(energy);
   Fairing_step next;
   for (double t = 1; halvings >= 0 && !next.is_lower; t /= 2, --halvings) {

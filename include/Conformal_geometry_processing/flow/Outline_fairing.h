@@ -39,7 +39,7 @@ class Outline_fairing {
   Fairing_step step(const Bending_energy& present);
 
  private:
-  void factorize(const Bending_energy& energy);
+  void assemble(const Bending_energy& energy);
   /// f, if it has less energy than the start
   void offer(const Points& f);
   Points harmonic_with_unit_weights() const;

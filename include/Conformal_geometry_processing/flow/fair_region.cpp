@@ -17,6 +17,19 @@ namespace Conformal_geometry_processing {
 
 namespace internal {
 
+/// why there is no step: a surface that was good before is not lost
+template <class Step>
+std::string step_fault(const Step& step)
+{
+  try {
+    step();
+    return "";
+  } catch (const Solver_error& error) {
+    if (is_out_of_memory(error)) throw;
+    return "no further step: " + error.message();
+  }
+}
+
 /// takes steps from f until they are short
 template <class Fairing>
 void take_steps(const Fairing_patch& patch, Fairing& fairing, const Fairing_options& options,
@@ -24,20 +37,21 @@ void take_steps(const Fairing_patch& patch, Fairing& fairing, const Fairing_opti
 {
   const Points& p = patch.mesh().positions();
   const double diagonal = (p.rowwise().maxCoeff() - p.rowwise().minCoeff()).norm();
-  report.message = "all steps are done";
+  report.message = "no step was asked for";
   for (int k = 0; k < options.max_steps; ++k) {
     if (!go_further()) {
       report.message = "cancelled";
       return;
     }
-    Fairing_step next = fairing.step(Bending_energy(patch, f));
+    Fairing_step next{f};
+    report.message = step_fault([&] { next = fairing.step(Bending_energy(patch, f)); });
+    if (!report.message.empty()) return;
     const double way = (next.f - f).colwise().norm().maxCoeff();
     report.converged = way <= options.tolerance * diagonal;
     if (next.is_lower) f = std::move(next.f), ++report.steps;
-    if (report.converged || !next.is_lower) {
-      report.message = report.converged ? "" : "no step lowers the energy";
-      return;
-    }
+    if (report.converged) return;
+    report.message = next.is_lower ? "all steps are done" : "no step lowers the energy";
+    if (!next.is_lower) return;
   }
 }
 
@@ -75,7 +89,8 @@ internal::Fairing_result internal::fair_region(const Mesh_view& mesh,
   if (options.exact_conformal_class) {
     Class_fairing fairing(patch);
     take_steps(patch, fairing, options, go_further, f, report);
-    if (report.steps > 0) fairing.polish(f);
+    const std::string fault = report.steps > 0 ? step_fault([&] { fairing.polish(f); }) : "";
+    if (!fault.empty()) report.converged = false, report.message = fault;
   } else {
     Outline_fairing fairing(patch);
     f = fairing.start();

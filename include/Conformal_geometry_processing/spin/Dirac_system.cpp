@@ -7,8 +7,8 @@
 #include <Conformal_geometry_processing/spin/Boundary_condition.h>
 #include <Conformal_geometry_processing/spin/Prescribed_directions.h>
 #include <Conformal_geometry_processing/spin/Prescribed_positions.h>
-#include <Conformal_geometry_processing/spin/Spin_gauge.h>
 #include <Conformal_geometry_processing/spin/Spin_residual.h>
+#include <Conformal_geometry_processing/spin/gauge.h>
 #include <Quaternionic_linear_algebra/algebra/Quaternion_vector.h>
 #include <Quaternionic_linear_algebra/dense/block_operators.h>
 #include <Quaternionic_linear_algebra/direct/Stopwatch.h>

@@ -5,8 +5,8 @@
 #include <Conformal_geometry_processing/spin/Boundary_condition.h>
 #include <Conformal_geometry_processing/spin/Exactness_constraints.h>
 #include <Conformal_geometry_processing/spin/Poisson_reconstruction.h>
-#include <Conformal_geometry_processing/spin/Spin_gauge.h>
 #include <Conformal_geometry_processing/spin/certify.h>
+#include <Conformal_geometry_processing/spin/gauge.h>
 #include <Conformal_geometry_processing/spin/snap_to_class.h>
 #include <Conformal_geometry_processing/spin/solve_dirac_equation.h>
 #include <Conformal_geometry_processing/spin/transformed_edges.h>

@@ -5,8 +5,9 @@
 #include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Conformal_geometry_processing/mesh/simple_delaunay.h>
 #include <Conformal_geometry_processing/operators/vertex_graph.h>
-#include <Conformal_geometry_processing/spin/Spin_gauge.h>
+#include <Conformal_geometry_processing/spin/Spin_transformation.h>
 #include <Conformal_geometry_processing/spin/certify.h>
+#include <Conformal_geometry_processing/spin/gauge.h>
 #include <Quaternionic_linear_algebra/exceptions.h>
 
 #include <Eigen/Core>

@@ -5,9 +5,12 @@
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 #include <Conformal_geometry_processing/spin/Framed_surface.h>
 #include <Conformal_geometry_processing/spin/Spin_report.h>
-#include <Conformal_geometry_processing/spin/Spin_transformation.h>
 
 #include <string>
+
+namespace Conformal_geometry_processing {
+struct Spin_result;
+}
 
 namespace Conformal_geometry_processing::internal {
 

@@ -5,8 +5,8 @@
 #include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Conformal_geometry_processing/operators/dirac_energy.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
-#include <Conformal_geometry_processing/spin/Spin_gauge.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
+#include <Conformal_geometry_processing/spin/gauge.h>
 #include <Quaternionic_linear_algebra/algebra/Quaternion.h>
 #include <Quaternionic_linear_algebra/direct/Solver_ref.h>
 #include <Quaternionic_linear_algebra/exceptions.h>

@@ -1,12 +1,12 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-#include <Conformal_geometry_processing/spin/Spin_gauge.h>
+#include <Conformal_geometry_processing/spin/gauge.h>
 
 #include <gtest/gtest.h>
 
 #include "support/dense.h"
 #include "support/meshes.h"
 
-namespace cgp_test::spin_gauge_tests {
+namespace cgp_test::gauge_tests {
 
 namespace CGP = Conformal_geometry_processing;
 using Q = Quaternion<double>;
@@ -107,4 +107,4 @@ TEST(Fix_gauge, works_on_the_normals_of_the_sphere_whose_mean_is_zero)
   for (const Q& q : lambda) EXPECT_NEAR(norm(q), 1, 1e-14);
 }
 
-}  // namespace cgp_test::spin_gauge_tests
+}  // namespace cgp_test::gauge_tests
