@@ -40,7 +40,10 @@ inline std::vector<std::string> obj_seeds()
       "v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\nv 0 0 1\nf 1 \\\n2 \\\n4\nf 1// 4// 3//\nl 1 2\np "
       "1\n",
       "v 0 0 0 1\r\nv 1 0 0 1\r\nv 0 1 0 1\r\nvt 0.5\r\nvt 0.5 0.25 0\r\nvn 1 2 3\r\nf 1//1 2//1 "
-      "3//1\r\nf 3/1 2/2 1/2\r\n"};
+      "3//1\r\nf 3/1 2/2 1/2\r\n",
+      "v 0 0 0 1 0 0\nv 1 0 0 0.5\nv 0 1 0 x\nvt 0 0 0 1\nvt\nvn 1 2\nt crease 1/1/0 1 2\nvw 0 0 "
+      "1\n"
+      "f 1/1/1 2/9/9 3/2/-7\nf 1/0 3///4 2/x\n"};
 }
 
 inline std::string binary_ply(bool big)
@@ -167,7 +170,26 @@ inline std::vector<std::string> glb_seeds()
           R"("accessors": [ { "bufferView": 0, "componentType": 5126, "count": 6, )"
           R"("type": "VEC3" } ], "bufferViews": [ { "buffer": 0, "byteLength": 72 } ], )"
           R"("buffers": [ { "byteLength": 72 } ] })",
-          glb_buffer(false))};
+          glb_buffer(false)),
+      glb(R"({ "asset": { "version": "2.0" }, "extensionsUsed": [ "X" ], "animations": [ {} ], )"
+          R"("scenes": [ { "nodes": [ 0, 1 ] }, {} ], "nodes": [ { "name": "a", "skin": 0, )"
+          R"("mesh": 0, "scale": [ 1, 1, -1 ] }, { "mesh": 1 } ], "meshes": [ { "primitives": [ )"
+          R"({ "attributes": { "POSITION": 0, "COLOR_0": 1, "_RHO": 2, "JOINTS_0": 1 }, )"
+          R"("mode": 5, "material": 0, "targets": [ {} ] } ] }, { "primitives": [ )"
+          R"({ "attributes": { "POSITION": 0, "_RHO": 2 }, "mode": 0 } ] } ], )"
+          R"("materials": [ { "name": "red", "alphaMode": "BLEND" } ], "accessors": [ )"
+          R"({ "bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3", "sparse": { )"
+          R"("count": 1, "indices": { "bufferView": 1, "byteOffset": 32, )"
+          R"("componentType": 5125 }, "values": { "bufferView": 1, "byteOffset": 36 } } }, )"
+          R"({ "bufferView": 1, "componentType": 5121, "count": 4, "type": "VEC4", )"
+          R"("normalized": true }, { "bufferView": 1, "byteOffset": 16, "componentType": 5126, )"
+          R"("count": 4, "type": "SCALAR" } ], "bufferViews": [ )"
+          R"({ "buffer": 0, "byteLength": 48 }, { "buffer": 1, "byteLength": 48 } ], )"
+          R"("buffers": [ { "byteLength": 48 }, { "byteLength": 48, "uri": )"
+          R"("data:application/octet-stream;base64,)"
+          "/wAA/wD/AIAAAP//CQkJ/wAAAD8AAIC/AAAAQAAAAAADAAAAAACAPwAAgD8AAIA/"
+          R"(" } ] })",
+          glb_buffer(true))};
 }
 
 }  // namespace fuzz
