@@ -2,6 +2,7 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include "program/support.h"
 #include "support/spheres.h"
+#include "support/tori.h"
 
 namespace cgp_test::memory_tests {
 
@@ -19,6 +20,18 @@ TEST_F(Memory, has_a_limit_beyond_which_the_work_ends_with_a_reason)
   EXPECT_TRUE(fails(run(spin + "--max-memory .1"), 6, "out of memory: more than 0.1 GiB"));
   EXPECT_FALSE(has("b.ply"));
   EXPECT_EQ(run(spin + "--max-memory .01").code, 2);
+}
+
+/// Threads may have no more. Temporaries of dense products and orderings do not fit.
+TEST_F(Memory, of_the_stack_is_less_than_128_kilobytes)
+{
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "sanitizers need more";
+#endif
+  write("a.off", off(cgp_test::torus(2, 1, 80, 40)));
+  for (const std::string command : {"spin a.off --rho-expression x/9", "flow a.off --steps 2"})
+    EXPECT_EQ(shell("ulimit -s 128; " + program() + " " + command + " -q -o b.ply").code, 0)
+        << command;
 }
 
 }  // namespace cgp_test::memory_tests
