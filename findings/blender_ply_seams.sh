@@ -41,7 +41,7 @@ without texture coordinates: 42 vertices at 42 points
 TEXT
 
 library=$work/root/usr/lib/$(gcc -dumpmachine)
-export LD_LIBRARY_PATH=$library:$library/blas:$library/lapack
+export LD_LIBRARY_PATH=$library:$library/blas:$library/lapack:$work/root/usr/lib
 export BLENDER_SYSTEM_SCRIPTS=$work/root/usr/share/blender/scripts
 export BLENDER_SYSTEM_DATAFILES=$work/root/usr/share/blender/datafiles
 export PYTHONPATH=$work/root/usr/lib/python3/dist-packages
