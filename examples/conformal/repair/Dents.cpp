@@ -48,9 +48,8 @@ bool Dents::has_any_in(const std::array<std::size_t, 3>& t) const
   const Eigen::Vector2d low = a.cwiseMin(b).cwiseMin(c), high = a.cwiseMax(b).cwiseMax(c);
   const auto is_in = [&](std::size_t i) {
     const Eigen::Vector2d& p = m_points[i];
-    // The two ends of a bridge are there twice.
-    return p != a && p != b && p != c && twice_area(a, b, p) >= 0 && twice_area(b, c, p) >= 0 &&
-           twice_area(c, a, p) >= 0;
+    return i != t[0] && i != t[1] && i != t[2] && twice_area(a, b, p) >= 0 &&
+           twice_area(b, c, p) >= 0 && twice_area(c, a, p) >= 0;
   };
   for (std::size_t x = column(low.x(), 0); x <= column(high.x(), 0); ++x)
     for (std::size_t y = column(low.y(), 1); y <= column(high.y(), 1); ++y) {
