@@ -169,9 +169,11 @@ class Comparison {
     for (const auto& [blend, way] : blends) {
       Mesh mesh = surface_mesh(m_initial);
       CGP::Nearest_spin_report report;
+      CGP::Nearest_spin_options fit;
+      fit.keep_curvature = true;
       seconds = seconds_of([&] {
         report = CGP::nearest_spin_transform(mesh, rigid.points(),
-                                             CGP::parameters::blend(blend).keep_curvature(true));
+                                             CGP::parameters::blend(blend).fit(fit));
       });
       if (!report) throw std::runtime_error(m_name + ": no nearest spin transformation found");
       print(motion, way, mesh, report.distance, seconds);

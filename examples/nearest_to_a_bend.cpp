@@ -41,8 +41,10 @@ int main(int argc, char* argv[])
       const double angle = (p.z() - box.zmin()) / radius, r = radius + p.y() - middle;
       target[v] = Point(p.x(), r * std::cos(angle), r * std::sin(angle));
     }
-    const CGP::Nearest_spin_report report = CGP::nearest_spin_transform(
-        mesh, target, CGP::parameters::blend(blend).keep_curvature(true));
+    CGP::Nearest_spin_options fit;
+    fit.keep_curvature = true;
+    const CGP::Nearest_spin_report report =
+        CGP::nearest_spin_transform(mesh, target, CGP::parameters::blend(blend).fit(fit));
     std::cout << report << "distance from the bend " << report.distance << " of its size\n";
     //! [fit]
     if (!report) return EXIT_FAILURE;

@@ -25,27 +25,22 @@ inline Mesh_view cap_to_map()
   return cap_from_disk(disk(6), 2.);
 }
 
-/// the same points as for the view of the mesh, with the normals of faces and of vertices
+/// the same points as for the view of the mesh
 template <class Mesh>
 void expect_parameterization_of_the_view(const Mesh& mesh, double tolerance)
 {
   using Vertex = typename boost::graph_traits<Mesh>::vertex_descriptor;
-  for (const auto normals : {CGP::Parameterization_options::Normals::of_faces,
-                             CGP::Parameterization_options::Normals::of_vertices}) {
-    CGP::Parameterization_options options;
-    options.normals = normals;
-    const auto expected = CGP::spectral_parameterization(view_of(mesh), options);
-    std::map<Vertex, std::complex<double>> uv;
-    const CGP::Parameterization_report report = CGP::conformal_parameterization(
-        mesh, boost::make_assoc_property_map(uv), CGP::parameters::conformal_normals(normals));
-    ASSERT_TRUE(report);
-    EXPECT_EQ(report.conformality.flipped_faces, 0);
-    EXPECT_NEAR(report.conformality.quasi_conformal.mean,
-                expected.report.conformality.quasi_conformal.mean, tolerance);
-    ASSERT_EQ(static_cast<Eigen::Index>(uv.size()), expected.z.size());
-    Eigen::Index i = 0;
-    for (const Vertex v : vertices(mesh)) EXPECT_LT(std::abs(uv[v] - expected.z[i++]), tolerance);
-  }
+  const auto expected = CGP::spectral_parameterization(view_of(mesh));
+  std::map<Vertex, std::complex<double>> uv;
+  const CGP::Parameterization_report report =
+      CGP::conformal_parameterization(mesh, boost::make_assoc_property_map(uv));
+  ASSERT_TRUE(report);
+  EXPECT_EQ(report.conformality.flipped_faces, 0);
+  EXPECT_NEAR(report.conformality.quasi_conformal.mean,
+              expected.report.conformality.quasi_conformal.mean, tolerance);
+  ASSERT_EQ(static_cast<Eigen::Index>(uv.size()), expected.z.size());
+  Eigen::Index i = 0;
+  for (const Vertex v : vertices(mesh)) EXPECT_LT(std::abs(uv[v] - expected.z[i++]), tolerance);
 }
 
 }  // namespace cgp_test

@@ -95,14 +95,10 @@ TEST(Conformal_parameterization_of_a_Surface_mesh, obeys_its_parameters)
 {
   Surface mesh = to_cgal_mesh<Surface>(cylinder(1, 1, 24, 4));
   const auto uv = uv_map(mesh);
-  const auto all = CGP::conformal_parameterization(
-      mesh, uv,
-      params::normalized_boundary(CGP::Parameterization_options::Boundary::all_loops)
-          .tolerance(1e-3));
-  ASSERT_TRUE(all);
-  EXPECT_EQ(all.normalized_vertices, 48);
-  EXPECT_LT(all.residual, 1e-3);
-  EXPECT_EQ(CGP::conformal_parameterization(mesh, uv).normalized_vertices, 24);
+  const auto rough = CGP::conformal_parameterization(mesh, uv, params::tolerance(1e-3));
+  ASSERT_TRUE(rough);
+  EXPECT_LT(rough.residual, 1e-3);
+  EXPECT_EQ(rough.normalized_vertices, 24);
 }
 
 TEST(Conformal_parameterization_of_a_Surface_mesh, writes_nothing_without_success)

@@ -90,7 +90,7 @@ TEST_F(Conformal_willmore_flow_of_a_Surface_mesh, filters)
   options.filter_weight = 0.01;
   options.filter_order = 2;
   options.max_steps = 2;
-  EXPECT_EQ(flown(params::filter_weight(0.01).filter_order(2).number_of_iterations(2)),
+  EXPECT_EQ(flown(params::filter(CGP::Filter_options{0.01, 2}).number_of_iterations(2)),
             expected(options));
 }
 
@@ -99,10 +99,7 @@ TEST_F(Conformal_willmore_flow_of_a_Surface_mesh, balances)
   CGP::Flow_options options;
   options.max_steps = 2;
   options.balance = CGP::Flow_options::Balance::initial;
-  options.balancing = CGP::Flow_options::Balancing::potential;
-  EXPECT_EQ(flown(params::balance(CGP::Flow_options::Balance::initial)
-                      .balancing(CGP::Flow_options::Balancing::potential)
-                      .number_of_iterations(2)),
+  EXPECT_EQ(flown(params::balance(CGP::Flow_options::Balance::initial).number_of_iterations(2)),
             expected(options));
 }
 
@@ -143,7 +140,7 @@ TEST_F(Conformal_willmore_flow_of_a_Surface_mesh, goes_other_ways)
                                              .number_of_iterations(1)
                                              .random_seed(7)
                                              .sparse_solver(CGP::Default_solver_traits())
-                                             .eigenvalue_solver(CGP::Lobpcg_eigensolver_traits()));
+                                             .dirac(CGP::Dirac_options()));
   EXPECT_TRUE(report);
   EXPECT_GT(CGP::willmore_energy(view_of(mesh)), energy);
 }

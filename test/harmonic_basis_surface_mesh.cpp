@@ -122,32 +122,6 @@ TEST(Harmonic_basis_of_a_Surface_mesh, has_fields_in_one_over_length)
   }
 }
 
-TEST(Harmonic_basis_of_a_Surface_mesh, can_be_made_from_random_forms)
-{
-  const Surface mesh = to_cgal_mesh<Surface>(btorus(12));
-  const auto expected = CGP::harmonic_basis(mesh);
-  const auto random = params::one_form_generators(CGP::One_form_generators::random);
-  const auto forms = CGP::harmonic_basis(mesh, random.random_seed(3));
-  const auto others = CGP::harmonic_basis(mesh, random.random_seed(4));
-  Eigen::Matrix2d G = Eigen::Matrix2d::Zero();  // inner products of the one basis with the other
-  double difference = 0;
-  for (const auto f : faces(mesh)) {
-    const auto h = halfedge(f, mesh);
-    const Eigen::Vector3d a =
-        coordinates(mesh, target(h, mesh)) - coordinates(mesh, source(h, mesh));
-    const Eigen::Vector3d b =
-        coordinates(mesh, target(next(h, mesh), mesh)) - coordinates(mesh, target(h, mesh));
-    for (int i = 0; i < 2; ++i)
-      for (int j = 0; j < 2; ++j)
-        G(i, j) += a.cross(b).norm() / 2 *
-                   to_eigen(get(forms.tangent_field(i), f))
-                       .dot(to_eigen(get(expected.tangent_field(j), f)));
-    difference += std::abs(get(forms.one_form(0), h) - get(others.one_form(0), h));
-  }
-  EXPECT_LT((G * G.transpose() - Eigen::Matrix2d::Identity()).norm(), 1e-11);
-  EXPECT_GT(difference, 1e-3);
-}
-
 TEST(Harmonic_basis_of_a_Surface_mesh, refuses_unsuitable_meshes_in_its_name)
 {
   const auto refuses = [](const Mesh_view& mesh, const std::string& what) {
@@ -159,14 +133,6 @@ TEST(Harmonic_basis_of_a_Surface_mesh, refuses_unsuitable_meshes_in_its_name)
   Points p = btorus(8).positions();
   p(1, 4) = std::numeric_limits<double>::infinity();
   EXPECT_TRUE(refuses(Mesh_view(p, btorus(8).corners()), "vertex 4"));
-}
-
-TEST(Harmonic_basis_of_a_Surface_mesh, refuses_random_forms_on_unsuitable_meshes)
-{
-  const auto random = params::one_form_generators(CGP::One_form_generators::random);
-  for (const Mesh_view& view : {holed_block(1), disjoint_union(btorus(8), icosphere(1), {9, 0, 0})})
-    EXPECT_THROW((void)CGP::harmonic_basis(to_cgal_mesh<Surface>(view), random),
-                 CGP::Precondition_error);
 }
 
 }  // namespace cgp_test::harmonic_basis_surface_mesh_tests

@@ -120,16 +120,6 @@ TEST(Isometric_curve_flow_of_ranges, flows_open_curves)
   EXPECT_EQ(report.turning_number, 0);
 }
 
-TEST(Isometric_curve_flow_of_ranges, closes_by_least_squares_if_asked_to)
-{
-  auto points = points_of<Kernel>(flower(200));
-  const CGP::Curve_flow_report report = CGP::isometric_curve_flow(
-      points, CGP::parameters::closing(CGP::Curve_flow_options::Closing::least_squares)
-                  .time_step(.4)
-                  .number_of_iterations(1));
-  EXPECT_NEAR(report.length_distortion, 3.316e-3, 1e-5);
-}
-
 struct Stops_after_two : CGP::Curve_flow_visitor {
   bool go_further() { return steps < 2; }
   void on_step_end(const CGP::Curve_step_report&, const Curve&) { ++steps; }

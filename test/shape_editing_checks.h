@@ -89,7 +89,7 @@ void expect_filtered_curvature(const Mesh& mesh)
   const auto filtered = [&](CGP::Curvature_band band) {
     const auto map = vertex_map(mesh, values);
     CGP::filter_curvature(mesh, map, band,
-                          CGP::parameters::filter_weight(0.05).filter_order(2).filter_amount(3.));
+                          CGP::parameters::filter(CGP::Filter_options{0.05, 2, 3}));
     Eigen::VectorXd result(static_cast<Eigen::Index>(values.size()));
     Eigen::Index i = 0;
     for (const auto v : vertices(mesh)) result[i++] = get(map, v);

@@ -117,7 +117,8 @@ TEST(Filter_curvature_on_a_Surface_mesh, refuses_what_it_cannot_filter)
   EXPECT_NE(filter(CGP::parameters::default_values()).find("vertex 7"), std::string::npos);
   EXPECT_EQ(map[*vertices(mesh).begin()], 1);
   map[Surface::Vertex_index(7)] = 1;
-  EXPECT_NE(filter(CGP::parameters::filter_weight(-1.)).find("weight"), std::string::npos);
+  EXPECT_NE(filter(CGP::parameters::filter(CGP::Filter_options{-1})).find("weight"),
+            std::string::npos);
 }
 
 }  // namespace cgp_test::shape_editing_surface_mesh_tests

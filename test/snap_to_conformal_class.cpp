@@ -130,20 +130,6 @@ TEST(Snap_to_conformal_class, writes_to_the_output_map)
   EXPECT_NE(get(output, *vertices(a.mesh).begin()), a.mesh.point(*vertices(a.mesh).begin()));
 }
 
-TEST(Snap_to_conformal_class, takes_the_class_of_the_delaunay_triangulation)
-{
-  const Mesh_view reference = mapped(irregular_torus(2, 1, 24, 12), [](const Eigen::Vector3d& p) {
-    return Eigen::Vector3d(4 * p.x(), p.y(), p.z());
-  });
-  const Mesh_view delaunay = CGP::internal::simple_delaunay(reference);
-  ASSERT_NE(delaunay.corners(), reference.corners());
-  Case<Surface> a(reference, perturbed(reference, .02).positions());
-  EXPECT_TRUE(CGP::snap_to_conformal_class(a.mesh, a.reference_points,
-                                           CGP::parameters::use_delaunay_triangulation(true)));
-  EXPECT_LT(CGP::length_cross_ratio_change(delaunay, points_of(a.mesh)).max, 1e-10);
-  EXPECT_GT(a.change(), 1e-3);
-}
-
 TEST(Snap_to_conformal_class, writes_nothing_if_it_does_not_get_there)
 {
   const Mesh_view reference = bumpy_sphere(1);

@@ -110,21 +110,23 @@ TEST_F(Spin_transform, passes_its_parameters_on)
   expect_untouched();
   const auto strong =
       boost::make_function_property_map<Vertex>([this](Vertex v) { return 6 * function(v); });
-  EXPECT_FALSE(CGP::spin_transform(mesh, strong, unbounded().maximum_number_of_substeps(1)));
+  CGP::Dirac_options dirac;
+  dirac.max_substeps = 1;
+  EXPECT_FALSE(CGP::spin_transform(mesh, strong, unbounded().dirac(dirac)));
   expect_untouched();
   Surface rough = mesh;
   const CGP::Spin_report report =
       CGP::spin_transform(rough, rho, unbounded().tolerance(1e-4).random_seed(3));
   EXPECT_TRUE(report);
   EXPECT_LT(report.iterations, expected.report.iterations);
-  EXPECT_THROW(
-      (void)CGP::spin_transform(
-          mesh, rho, unbounded().eigenproblem(CGP::Dirac_options::Eigenproblem::generalized)),
-      CGP::Precondition_error);  // rho is not on faces
+  dirac = {};
+  dirac.problem = CGP::Dirac_options::Eigenproblem::generalized;
+  EXPECT_THROW((void)CGP::spin_transform(mesh, rho, unbounded().dirac(dirac)),
+               CGP::Precondition_error);  // rho is not on faces
   expect_untouched();
-  ASSERT_TRUE(CGP::spin_transform(
-      mesh, rho,
-      unbounded().eigenvalue_solver(CGP::Inverse_power_eigensolver_traits()).tolerance(1e-7)));
+  dirac = {};
+  dirac.eigensolver = CGP::Inverse_power_eigensolver_traits();
+  ASSERT_TRUE(CGP::spin_transform(mesh, rho, unbounded().dirac(dirac).tolerance(1e-7)));
   EXPECT_LT(greatest_distance(view_of(mesh).positions(), expected.positions), 1e-5);
 }
 

@@ -81,8 +81,9 @@ TEST_F(Spin_transform_with_boundary, takes_the_branch_and_the_kernel_that_it_is_
   const auto near_a_zero = constant(2.4);
   Surface other = mesh;
   const auto directions = unbounded().boundary_direction(binormal);
-  const CGP::Spin_report smallest = CGP::spin_transform(
-      mesh, near_a_zero, directions.branch(CGP::Dirac_options::Branch::smallest));
+  CGP::Dirac_options dirac;
+  dirac.branch = CGP::Dirac_options::Branch::smallest;
+  const CGP::Spin_report smallest = CGP::spin_transform(mesh, near_a_zero, directions.dirac(dirac));
   EXPECT_NEAR(smallest.eigenvalue + 2.4, 2.4048, .05);
   const CGP::Spin_report nearest = CGP::spin_transform(other, near_a_zero, directions);
   EXPECT_NEAR(nearest.eigenvalue, -2.4, 1e-6);
@@ -91,8 +92,10 @@ TEST_F(Spin_transform_with_boundary, takes_the_branch_and_the_kernel_that_it_is_
   Surface one = to_cgal_mesh<Surface>(cylinder(1, 2, 24, 8)), several = one;
   const auto tangents = unbounded().boundary_direction(tangent).exactness(std::nullopt);
   const CGP::Spin_report vector = CGP::spin_transform(one, constant(-.5), tangents);
+  dirac = {};
+  dirac.kernel_tolerance = .2;
   const CGP::Spin_report mixture =
-      CGP::spin_transform(several, constant(-.5), tangents.kernel_tolerance(.2));
+      CGP::spin_transform(several, constant(-.5), tangents.dirac(dirac));
   EXPECT_GT(mixture.overlap, vector.overlap);
 }
 

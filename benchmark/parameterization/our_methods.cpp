@@ -12,9 +12,12 @@ namespace CGP = Conformal_geometry_processing;
 Method ours(const std::string& name, CGP::Parameterization_options::Normals normals)
 {
   return {name, [normals](Surface& mesh, Border, UV_map uv) -> std::string {
-            const CGP::Parameterization_report report = CGP::conformal_parameterization(
-                mesh, uv, CGP::parameters::conformal_normals(normals));
-            return report ? "OK" : "not converged";
+            const CGP::Graph_view<Surface> graph(mesh, CGP::parameters::default_values(), "ours");
+            CGP::Parameterization_options options;
+            options.normals = normals;
+            const auto result = CGP::spectral_parameterization(graph.view(), options);
+            CGP::internal::write_plane_points(graph, result.z, uv);
+            return result.report ? "OK" : "not converged";
           }};
 }
 

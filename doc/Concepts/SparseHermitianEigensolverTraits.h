@@ -6,7 +6,7 @@ using namespace Conformal_geometry_processing;
 /// \cgalConcept
 ///
 /// \brief finds the smallest eigenpairs of A x = N x theta over the quaternions, given a
-/// factorization of A plus a small shift: what the named parameter `eigenvalue_solver` takes.
+/// factorization of A plus a small shift: what `Dirac_options::eigensolver` takes.
 ///
 /// Eigenvectors are right ones and defined up to a quaternion on their right; each eigenvalue
 /// counts once. If the iteration does not converge, the result says so; this is not an error.
@@ -14,6 +14,8 @@ using namespace Conformal_geometry_processing;
 /// Headers of these types:
 /// - `Conformal_geometry_processing::Block`,
 ///   `Quaternionic_linear_algebra/algebra/Quaternion_vector.h`
+/// - `Conformal_geometry_processing::Dirac_options`,
+///   `Conformal_geometry_processing/spin/Dirac_solution.h`
 /// - `Conformal_geometry_processing::Eigensolver_options`,
 ///   `Quaternionic_linear_algebra/krylov/Eigensolver_result.h`
 /// - `Conformal_geometry_processing::Eigensolver_progress`,

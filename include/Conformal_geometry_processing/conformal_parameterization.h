@@ -29,10 +29,6 @@ template <class NamedParameters>
 Parameterization_options parameterization_options(const NamedParameters& np)
 {
   Parameterization_options options;
-  options.normals =
-      parameter_or(np, internal_np::conformal_normals, Parameterization_options::Normals::of_faces);
-  options.boundary =
-      parameter_or(np, internal_np::normalized_boundary, Normalized_boundary::longest_loop);
   options.tolerance = parameter_or(np, internal_np::tolerance, options.tolerance);
   options.maximum_number_of_iterations = static_cast<int>(parameter_or(
       np, CGAL::internal_np::number_of_iterations, options.maximum_number_of_iterations));
@@ -50,7 +46,6 @@ Parameterization_result parameterization_result(const Graph_view<TriangleMesh>& 
       only_known_parameters<NamedParameters, CGAL::internal_np::vertex_point_t,
                             CGAL::internal_np::geom_traits_t,
                             CGAL::internal_np::number_of_iterations_t, internal_np::tolerance_t,
-                            internal_np::conformal_normals_t, internal_np::normalized_boundary_t,
                             internal_np::sparse_solver_t>,
       "conformal_parameterization(): unknown named parameter, see the manual for those it accepts");
   return spectral_parameterization(graph.view(), parameterization_options(np), function);
@@ -100,18 +95,6 @@ void write_plane_points(const Graph_view<TriangleMesh>& graph, const Eigen::Vect
 ///   \cgalParamNBegin{geom_traits}
 ///     \cgalParamType{a model of `ConformalGeometryTraits_3`}
 ///     \cgalParamDefault{the kernel of the points}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{conformal_normals}
-///     \cgalParamDescription{the normals N in the energy. Vertex normals, as in the thesis, give
-///                           much worse maps of scans, which depend on the rotation of the image;
-///                           on smooth meshes there is no difference.}
-///     \cgalParamType{`Parameterization_options::Normals`}
-///     \cgalParamDefault{`Parameterization_options::Normals::of_faces`}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{normalized_boundary}
-///     \cgalParamDescription{the part of the boundary whose variance is fixed}
-///     \cgalParamType{`Normalized_boundary`}
-///     \cgalParamDefault{`Normalized_boundary::longest_loop`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{tolerance}
 ///     \cgalParamDescription{relative error of the map in the norm of the energy}

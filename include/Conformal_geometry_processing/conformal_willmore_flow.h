@@ -9,7 +9,6 @@
 #include <Conformal_geometry_processing/core/write_points.h>
 #include <Conformal_geometry_processing/flow/Conformal_willmore_flow.h>
 #include <Conformal_geometry_processing/flow/Flow_report.h>
-#include <Quaternionic_linear_algebra/krylov/Eigensolver_ref.h>
 
 #include <CGAL/number_utils.h>
 
@@ -31,15 +30,15 @@ Flow_options flow_options(const NamedParameters& np)
   o.energy_tolerance =
       choose_parameter(get_parameter(np, internal_np::tolerance), o.energy_tolerance);
   read_exactness_and_mollification(np, o);
-  o.filter_weight =
-      choose_parameter(get_parameter(np, internal_np::filter_weight), o.filter_weight);
-  o.filter_order = static_cast<int>(
-      choose_parameter(get_parameter(np, internal_np::filter_order), o.filter_order));
+  const Filter_options filter =
+      parameter_or(np, internal_np::filter, Filter_options{o.filter_weight, o.filter_order});
+  o.filter_weight = filter.weight;
+  o.filter_order = filter.order;
   o.balance = choose_parameter(get_parameter(np, internal_np::balance), o.balance);
-  o.balancing = choose_parameter(get_parameter(np, internal_np::balancing), o.balancing);
   o.exact_conformal_class = choose_parameter(get_parameter(np, internal_np::exact_conformal_class),
                                              o.exact_conformal_class);
   o.fairing = choose_parameter(get_parameter(np, internal_np::fairing), o.fairing);
+  o.dirac = parameter_or(np, internal_np::dirac, o.dirac);
   o.dirac.random_seed = static_cast<unsigned>(
       choose_parameter(get_parameter(np, CGAL::internal_np::random_seed), o.dirac.random_seed));
   return o;
@@ -75,18 +74,16 @@ Flow_result flow_result(const Graph_view<TriangleMesh>& graph, const NamedParame
           NamedParameters, CGAL::internal_np::vertex_point_t, CGAL::internal_np::geom_traits_t,
           CGAL::internal_np::number_of_iterations_t, CGAL::internal_np::random_seed_t,
           CGAL::internal_np::visitor_t, internal_np::output_vertex_point_map_t,
-          internal_np::sparse_solver_t, internal_np::eigenvalue_solver_t, internal_np::time_step_t,
-          internal_np::tolerance_t, internal_np::filter_weight_t, internal_np::filter_order_t,
-          internal_np::balance_t, internal_np::balancing_t, internal_np::vertex_target_area_map_t,
-          internal_np::exactness_t, internal_np::maximum_period_defect_t,
-          internal_np::exact_conformal_class_t, internal_np::fairing_t,
-          internal_np::mollification_t, internal_np::curvature_direction_t,
+          internal_np::sparse_solver_t, internal_np::dirac_t, internal_np::time_step_t,
+          internal_np::tolerance_t, internal_np::filter_t, internal_np::balance_t,
+          internal_np::vertex_target_area_map_t, internal_np::exactness_t,
+          internal_np::maximum_period_defect_t, internal_np::exact_conformal_class_t,
+          internal_np::fairing_t, internal_np::mollification_t, internal_np::curvature_direction_t,
           internal_np::boundary_direction_t, internal_np::boundary_direction_map_t>,
       "conformal_willmore_flow(): unknown named parameter, see the manual for those it accepts");
   Flow_options options = flow_options(np);
   read_target_areas(graph, np, options);
   options.boundary = boundary_condition(graph, np, function);
-  options.dirac.eigensolver = parameter_or(np, internal_np::eigenvalue_solver, Eigensolver_ref());
   Flow_visitor silent;
   auto&& visitor = parameter_or(np, CGAL::internal_np::visitor, silent);
   Conformal_willmore_flow flow(
@@ -145,27 +142,17 @@ Flow_result flow_result(const Graph_view<TriangleMesh>& graph, const NamedParame
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{1e-4}
 ///   \cgalParamNEnd
-///   \cgalParamNBegin{filter_weight}
-///     \cgalParamDescription{sigma > 0 smoothes details and preserves the overall shape, see
-///                           `Curvature_filter`; zero: no filter}
-///     \cgalParamType{`double`}
-///     \cgalParamDefault{0}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{filter_order}
-///     \cgalParamDescription{the sharpness of the cut-off of the filter, if there is one}
-///     \cgalParamType{`unsigned int`}
-///     \cgalParamDefault{1}
+///   \cgalParamNBegin{filter}
+///     \cgalParamDescription{smoothes details and preserves the overall shape, see
+///                           `Curvature_filter`; its amount has no effect}
+///     \cgalParamType{`Filter_options`}
+///     \cgalParamDefault{none}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{balance}
 ///     \cgalParamDescription{the vertex areas towards which the surface is balanced among its
 ///                           Moebius transforms, which do not differ in curvature}
 ///     \cgalParamType{`Flow_options::Balance`}
 ///     \cgalParamDefault{`Flow_options::Balance::none`}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{balancing}
-///     \cgalParamDescription{how balance is kept}
-///     \cgalParamType{`Flow_options::Balancing`}
-///     \cgalParamDefault{`Flow_options::Balancing::inversion`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{vertex_target_area_map}
 ///     \cgalParamDescription{target areas of the balance; only their ratios matter}
@@ -246,10 +233,10 @@ Flow_result flow_result(const Graph_view<TriangleMesh>& graph, const NamedParame
 ///     \cgalParamType{a model of `SparseHermitianSolverTraits`}
 ///     \cgalParamDefault{`Default_solver_traits`}
 ///   \cgalParamNEnd
-///   \cgalParamNBegin{eigenvalue_solver}
-///     \cgalParamDescription{the eigenvalue solver; only its type matters, not its value}
-///     \cgalParamType{a model of `SparseHermitianEigensolverTraits`}
-///     \cgalParamDefault{`Lobpcg_eigensolver_traits`}
+///   \cgalParamNBegin{dirac}
+///     \cgalParamDescription{how spins are found, such as the eigensolver}
+///     \cgalParamType{`Dirac_options`}
+///     \cgalParamDefault{that of `Flow_options`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{random_seed}
 ///     \cgalParamDescription{seed of the second start vector of the eigenvalue solver}

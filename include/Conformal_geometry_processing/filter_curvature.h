@@ -34,21 +34,10 @@ namespace Conformal_geometry_processing {
 /// \param np optional named parameters
 ///
 /// \cgalNamedParamsBegin
-///   \cgalParamNBegin{filter_weight}
-///     \cgalParamDescription{sigma, for the surface scaled to area 4 pi: features larger than
-///                           about sigma^(1/(2k)) count as large}
-///     \cgalParamType{`double`, positive}
-///     \cgalParamDefault{0.01}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{filter_order}
-///     \cgalParamDescription{k, the sharpness of the filter}
-///     \cgalParamType{`int`, 0 to 3}
-///     \cgalParamDefault{1}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{filter_amount}
-///     \cgalParamDescription{of `Curvature_band::unsharp`}
-///     \cgalParamType{`double`}
-///     \cgalParamDefault{1}
+///   \cgalParamNBegin{filter}
+///     \cgalParamDescription{its weight is for the surface scaled to area 4 pi}
+///     \cgalParamType{`Filter_options`}
+///     \cgalParamDefault{`Filter_options()`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{vertex_point_map}
 ///     \cgalParamDescription{the points of the vertices}
@@ -76,11 +65,8 @@ void filter_curvature(const TriangleMesh& mesh, VertexMap values, Curvature_band
   static_assert(
       internal::only_known_parameters<NamedParameters, CGAL::internal_np::vertex_point_t,
                                       CGAL::internal_np::geom_traits_t,
-                                      internal_np::sparse_solver_t, internal_np::filter_weight_t,
-                                      internal_np::filter_order_t, internal_np::filter_amount_t>,
+                                      internal_np::sparse_solver_t, internal_np::filter_t>,
       "filter_curvature(): unknown named parameter, see the manual for those it accepts");
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter;
   using Value = typename boost::property_traits<VertexMap>::value_type;
   const std::string function = "filter_curvature";
   const Graph_view<TriangleMesh> graph(mesh, np, function);
@@ -91,11 +77,9 @@ void filter_curvature(const TriangleMesh& mesh, VertexMap values, Curvature_band
       static_cast<int>(v.size()), [&](int i) { return !std::isfinite(v[i]); },
       internal::name_of_vertex, function, "#value not finite", "finite values are needed");
 
-  internal::Filter_options options;
-  options.weight = choose_parameter(get_parameter(np, internal_np::filter_weight), options.weight);
-  options.order = choose_parameter(get_parameter(np, internal_np::filter_order), options.order);
-  options.amount = choose_parameter(get_parameter(np, internal_np::filter_amount), options.amount);
-  v = filtered_on_surface(graph.view(), v, band, options, internal::spin_solvers(np));
+  v = filtered_on_surface(graph.view(), v, band,
+                          internal::parameter_or(np, internal_np::filter, Filter_options()),
+                          internal::spin_solvers(np));
   for (int i = 0; i < v.size(); ++i) put(values, graph.vertex(i), Value(v[i]));
 }
 

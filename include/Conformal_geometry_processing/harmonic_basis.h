@@ -19,32 +19,6 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgEntryPoints
-/// \brief Closed forms from which `harmonic_basis()` computes harmonic forms.
-enum class One_form_generators {
-  tree_cotree,  ///< loops, see `closed_generators()`
-  random  ///< random numbers [CGP 6.4.5.1], see `random_closed_forms()`: slower, no right angles
-};
-
-namespace internal {
-
-/// Computes the harmonic basis of a mesh in normalized coordinates; requirements are checked before
-inline Harmonic_basis harmonic_basis_from(const Mesh_view& mesh, One_form_generators generators,
-                                          unsigned seed, const std::string& function,
-                                          const Spin_solvers& solvers)
-{
-  if (generators == One_form_generators::tree_cotree)
-    return Hodge_decomposition(mesh, function, solvers).harmonic_basis();
-  require_surface(mesh, function);
-  const auto pattern = vertex_graph(mesh);
-  Grounded_solver laplacian(pattern, solvers);
-  laplacian.factorize(cotan_laplacian(mesh, pattern));
-  return Hodge_decomposition(mesh, random_closed_forms(mesh, seed, function), laplacian)
-      .harmonic_basis();
-}
-
-}  // namespace internal
-
-/// \ingroup PkgEntryPoints
 /// \brief Computes the harmonic 1-forms of a surface and their tangent fields, orthonormal: 2G of
 /// them for genus G, and 2G + L - 1 with L boundary loops [CGP 6.4.5.1].
 ///
@@ -76,31 +50,19 @@ inline Harmonic_basis harmonic_basis_from(const Mesh_view& mesh, One_form_genera
 ///     \cgalParamType{a model of `SparseHermitianSolverTraits`}
 ///     \cgalParamDefault{`Default_solver_traits`}
 ///   \cgalParamNEnd
-///   \cgalParamNBegin{one_form_generators}
-///     \cgalParamDescription{the closed forms to start from; the span of the result is the same}
-///     \cgalParamType{`One_form_generators`}
-///     \cgalParamDefault{`One_form_generators::tree_cotree`}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{random_seed}
-///     \cgalParamDescription{of `One_form_generators::random`}
-///     \cgalParamType{`unsigned int`}
-///     \cgalParamDefault{0}
-///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
 /// \returns the forms; vectors are those of the kernel of the points, or Eigen's if they have none
 /// \throw Precondition_error if the mesh is not a connected, oriented triangle mesh with finite
-/// coordinates and positive areas, or if a cotan weight is zero with random generators; the message
-/// names the element
+/// coordinates and positive areas; the message names the element
 /// \throw Solver_error if the Laplacian cannot be factored
 template <class TriangleMesh, class NamedParameters = parameters::Default_named_parameters>
 auto harmonic_basis(const TriangleMesh& mesh,
                     const NamedParameters& np = parameters::default_values())
 {
-  static_assert(internal::only_known_parameters<
-                    NamedParameters, CGAL::internal_np::vertex_point_t,
-                    CGAL::internal_np::geom_traits_t, CGAL::internal_np::random_seed_t,
-                    internal_np::sparse_solver_t, internal_np::one_form_generators_t>,
+  static_assert(internal::only_known_parameters<NamedParameters, CGAL::internal_np::vertex_point_t,
+                                                CGAL::internal_np::geom_traits_t,
+                                                internal_np::sparse_solver_t>,
                 "harmonic_basis(): unknown named parameter, see the manual for those it accepts");
   using Vector = internal::Vector_of<internal::Point_of<TriangleMesh, NamedParameters>>;
   const std::string function = "harmonic_basis";
@@ -111,12 +73,8 @@ auto harmonic_basis(const TriangleMesh& mesh,
   const internal::Normalized_frame frame(graph.view().positions());
   Mesh_view view = graph.view();
   view.set_positions(frame.to_frame(view.positions()));
-  Harmonic_basis basis = internal::harmonic_basis_from(
-      view,
-      internal::parameter_or(np, internal_np::one_form_generators,
-                             One_form_generators::tree_cotree),
-      static_cast<unsigned>(internal::parameter_or(np, CGAL::internal_np::random_seed, 0u)),
-      function, internal::spin_solvers(np));
+  Harmonic_basis basis =
+      Hodge_decomposition(view, function, internal::spin_solvers(np)).harmonic_basis();
   return internal::Harmonic_forms<TriangleMesh, Vector>(mesh, graph, std::move(basis),
                                                         1 / frame.unit());
 }

@@ -20,7 +20,6 @@ Curve_flow_options curve_flow_options(const NamedParameters& np)
       choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations), o.max_steps));
   o.energy_tolerance =
       choose_parameter(get_parameter(np, internal_np::tolerance), o.energy_tolerance);
-  o.closing = choose_parameter(get_parameter(np, internal_np::closing), o.closing);
   return o;
 }
 
@@ -69,12 +68,6 @@ Curve_flow_options curve_flow_options(const NamedParameters& np)
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{1e-8}
 ///   \cgalParamNEnd
-///   \cgalParamNBegin{closing}
-///     \cgalParamDescription{how the ends of a closed curve are joined: without stretching any
-///                           edge, or by stretching edges slightly, as in the thesis}
-///     \cgalParamType{`Curve_flow_options::Closing`}
-///     \cgalParamDefault{`Curve_flow_options::Closing::exact`}
-///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
 ///     \cgalParamDescription{is called for every step and may stop the flow}
 ///     \cgalParamType{a `std::reference_wrapper` of a model of `CurveFlowVisitor`}
@@ -106,8 +99,7 @@ Curve_flow_report isometric_curve_flow(PointRange& points,
       internal::only_known_parameters<
           NamedParameters, CGAL::internal_np::point_t, CGAL::internal_np::geom_traits_t,
           CGAL::internal_np::number_of_iterations_t, CGAL::internal_np::visitor_t,
-          internal_np::is_closed_t, internal_np::time_step_t, internal_np::tolerance_t,
-          internal_np::closing_t>,
+          internal_np::is_closed_t, internal_np::time_step_t, internal_np::tolerance_t>,
       "isometric_curve_flow(): unknown named parameter, see the manual for those it accepts");
   Curve_flow_visitor silent;
   auto&& visitor = internal::parameter_or(np, CGAL::internal_np::visitor, silent);

@@ -38,14 +38,14 @@ namespace Conformal_geometry_processing {
 ///                    vector, not zero, as value}
 ///     \cgalParamDefault{the direction before}
 ///   \cgalParamNEnd
-///   \cgalParamNBegin{kernel_tolerance}
-///     \cgalParamDescription{singular values of D - rho up to it, in 1/length, are considered
-///                           zero, and the nearest of their surfaces is returned}
-///     \cgalParamType{`double`}
-///     \cgalParamDefault{`minimal_kernel_tolerance()`}
+///   \cgalParamNBegin{dirac}
+///     \cgalParamDescription{see `spin_transform()`; where its `kernel_tolerance` is zero, that is
+///                           `minimal_kernel_tolerance()`}
+///     \cgalParamType{`Dirac_options`}
+///     \cgalParamDefault{`Dirac_options()`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{vertex_point_map, output_vertex_point_map, vertex_spin_map, geom_traits,
-///                    sparse_solver, tolerance, number_of_iterations, random_seed, branch}
+///                    sparse_solver, tolerance, number_of_iterations, random_seed}
 ///     \cgalParamDescription{see `spin_transform()`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
@@ -66,9 +66,8 @@ Spin_report minimal_surface(TriangleMesh& mesh,
           NamedParameters, CGAL::internal_np::vertex_point_t, CGAL::internal_np::geom_traits_t,
           CGAL::internal_np::number_of_iterations_t, CGAL::internal_np::random_seed_t,
           internal_np::output_vertex_point_map_t, internal_np::vertex_spin_map_t,
-          internal_np::sparse_solver_t, internal_np::tolerance_t, internal_np::kernel_tolerance_t,
-          internal_np::branch_t, internal_np::boundary_direction_t,
-          internal_np::boundary_direction_map_t>,
+          internal_np::sparse_solver_t, internal_np::tolerance_t, internal_np::dirac_t,
+          internal_np::boundary_direction_t, internal_np::boundary_direction_map_t>,
       "minimal_surface(): unknown named parameter, see the manual for those it accepts");
   const Graph_view<TriangleMesh> graph(mesh, np, "minimal_surface");
   Boundary_condition condition = internal::boundary_condition(graph, np, "minimal_surface");

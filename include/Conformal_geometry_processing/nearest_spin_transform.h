@@ -83,25 +83,12 @@ Points read_points(const TriangleMesh& mesh, PointMap points, const NamedParamet
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{0}
 ///   \cgalParamNEnd
-///   \cgalParamNBegin{keep_curvature}
-///     \cgalParamDescription{whether the result is the surface with the curvature of the target,
-///     and
-///                           at a boundary its tangents, wherever that is [CGP 5.9]}
-///     \cgalParamType{`bool`}
-///     \cgalParamDefault{`false`; with `vertex_scale_map` `true`}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{normal_weight}
-///     \cgalParamDescription{how much the normals count beside the positions, at least 0. With 0,
-///                           positions come nearer by wrinkles, where the target is far from
-///                           conformal}
-///     \cgalParamType{`double`}
-///     \cgalParamDefault{1}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{distance_tolerance}
-///     \cgalParamDescription{the search ends at this distance, relative to the diagonal of the
-///                           target, and a hundred times as many radians between normals}
-///     \cgalParamType{`double`, at least 0}
-///     \cgalParamDefault{1e-4, a tenth of a pixel of a picture of 1,000 pixels}
+///   \cgalParamNBegin{fit}
+///     \cgalParamDescription{what the search looks for and where it ends: `keep_curvature`,
+///                           `normal_weight`, `distance_tolerance`. The other parameters take
+///                           precedence}
+///     \cgalParamType{`Nearest_spin_options`}
+///     \cgalParamDefault{`Nearest_spin_options()`; with `vertex_scale_map` the curvature is kept}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{scale_bound}
 ///     \cgalParamDescription{the largest factor by which lengths may change, see
@@ -136,8 +123,8 @@ Points read_points(const TriangleMesh& mesh, PointMap points, const NamedParamet
 ///     \cgalParamType{`double`, between 0 and 1; 1e-6 is a good value}
 ///     \cgalParamDefault{none: faces of area zero are rejected}
 ///   \cgalParamNEnd
-///   \cgalParamNBegin{geom_traits, sparse_solver, eigenvalue_solver, eigenproblem, tolerance,
-///                    number_of_iterations, maximum_number_of_substeps, random_seed, visitor}
+///   \cgalParamNBegin{geom_traits, sparse_solver, dirac, tolerance,
+///                    number_of_iterations, random_seed, visitor}
 ///     \cgalParamDescription{see `spin_transform()`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
@@ -146,8 +133,7 @@ Points read_points(const TriangleMesh& mesh, PointMap points, const NamedParamet
 /// been written.
 /// \throw Precondition_error if the mesh, or the target, is not a connected, oriented manifold
 /// triangle mesh with finite coordinates and positive areas, or a factor is not positive, or the
-/// target of a closed mesh has another spin structure, or `normal_weight` or `distance_tolerance`
-/// is negative
+/// target of a closed mesh has another spin structure, or a number of `fit` is negative
 /// \throw Solver_error if a factorization fails
 template <class TriangleMesh, class PointMap,
           class NamedParameters = parameters::Default_named_parameters>
@@ -159,30 +145,22 @@ Nearest_spin_report nearest_spin_transform(TriangleMesh& mesh, PointMap target_p
           NamedParameters, CGAL::internal_np::vertex_point_t, CGAL::internal_np::geom_traits_t,
           CGAL::internal_np::number_of_iterations_t, CGAL::internal_np::random_seed_t,
           CGAL::internal_np::visitor_t, internal_np::output_vertex_point_map_t,
-          internal_np::vertex_spin_map_t, internal_np::sparse_solver_t,
-          internal_np::eigenvalue_solver_t, internal_np::eigenproblem_t, internal_np::tolerance_t,
-          internal_np::maximum_number_of_substeps_t, internal_np::vertex_scale_map_t,
-          internal_np::blend_t, internal_np::keep_curvature_t, internal_np::normal_weight_t,
-          internal_np::distance_tolerance_t, internal_np::scale_bound_t,
-          internal_np::boundary_direction_t, internal_np::exactness_t,
-          internal_np::maximum_period_defect_t, internal_np::limits_t,
+          internal_np::vertex_spin_map_t, internal_np::sparse_solver_t, internal_np::dirac_t,
+          internal_np::tolerance_t, internal_np::vertex_scale_map_t, internal_np::blend_t,
+          internal_np::fit_t, internal_np::scale_bound_t, internal_np::boundary_direction_t,
+          internal_np::exactness_t, internal_np::maximum_period_defect_t, internal_np::limits_t,
           internal_np::mollification_t>,
       "nearest_spin_transform(): unknown named parameter, see the manual for those it accepts");
   const char* const function = "nearest_spin_transform";
   const Graph_view<TriangleMesh> graph(mesh, np, function);
-  const Boundary_direction direction = CGAL::parameters::choose_parameter(
-      CGAL::parameters::get_parameter(np, internal_np::boundary_direction),
-      Boundary_direction{1, 0, 0});
-  Nearest_spin_options options;
-  options.direction = {direction.tangent, direction.normal, direction.binormal};
+  Nearest_spin_options options =
+      internal::parameter_or(np, internal_np::fit, Nearest_spin_options());
+  if constexpr (internal::has_parameter<NamedParameters, internal_np::boundary_direction_t>) {
+    const Boundary_direction d =
+        CGAL::parameters::get_parameter(np, internal_np::boundary_direction);
+    options.direction = {d.tangent, d.normal, d.binormal};
+  }
   internal::read_exactness_and_mollification(np, options);
-  options.keep_curvature = CGAL::parameters::choose_parameter(
-      CGAL::parameters::get_parameter(np, internal_np::keep_curvature), false);
-  options.normal_weight = CGAL::parameters::choose_parameter(
-      CGAL::parameters::get_parameter(np, internal_np::normal_weight), options.normal_weight);
-  options.distance_tolerance = CGAL::parameters::choose_parameter(
-      CGAL::parameters::get_parameter(np, internal_np::distance_tolerance),
-      options.distance_tolerance);
   if constexpr (internal::has_parameter<NamedParameters, internal_np::scale_bound_t>)
     options.scales.bound = CGAL::parameters::get_parameter(np, internal_np::scale_bound);
   Nearest_spin_transformation nearest(

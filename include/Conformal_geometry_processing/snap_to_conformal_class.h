@@ -5,7 +5,6 @@
 #include <Conformal_geometry_processing/core/geometry_traits.h>
 #include <Conformal_geometry_processing/core/named_parameters.h>
 #include <Conformal_geometry_processing/core/write_points.h>
-#include <Conformal_geometry_processing/mesh/simple_delaunay.h>
 #include <Conformal_geometry_processing/spin/snap_to_class.h>
 
 #include <string>
@@ -34,13 +33,6 @@ namespace Conformal_geometry_processing {
 /// \param np optional named parameters
 ///
 /// \cgalNamedParamsBegin
-///   \cgalParamNBegin{use_delaunay_triangulation}
-///     \cgalParamDescription{whether the class is that of the intrinsic Delaunay triangulation of
-///                           the reference, with the distances of its vertices in space as lengths.
-///                           Slivers of the faces then have no part in it}
-///     \cgalParamType{`bool`}
-///     \cgalParamDefault{`false`}
-///   \cgalParamNEnd
 ///   \cgalParamNBegin{tolerance}
 ///     \cgalParamDescription{of the logarithms of length cross-ratios}
 ///     \cgalParamType{`double`}
@@ -86,7 +78,7 @@ internal::Class_snap_report snap_to_conformal_class(
       internal::only_known_parameters<
           NamedParameters, CGAL::internal_np::vertex_point_t, CGAL::internal_np::geom_traits_t,
           CGAL::internal_np::number_of_iterations_t, internal_np::output_vertex_point_map_t,
-          CGAL::internal_np::use_delaunay_triangulation_t, internal_np::tolerance_t>,
+          internal_np::tolerance_t>,
       "snap_to_conformal_class(): unknown named parameter, see the manual for those it accepts");
   const std::string function = "snap_to_conformal_class";
   const Graph_view<TriangleMesh> graph(mesh, np, function);
@@ -99,12 +91,8 @@ internal::Class_snap_report snap_to_conformal_class(
       choose_parameter(get_parameter(np, internal_np::tolerance), 4 * options.tolerance) / 4;
   options.max_iterations = static_cast<int>(choose_parameter(
       get_parameter(np, CGAL::internal_np::number_of_iterations), options.max_iterations));
-  const bool on_delaunay =
-      choose_parameter(get_parameter(np, CGAL::internal_np::use_delaunay_triangulation), false);
   Points positions = graph.view().positions();
-  const auto report = internal::snap_to_class(
-      on_delaunay ? internal::simple_delaunay(reference.view()) : reference.view(), positions,
-      options);
+  const auto report = internal::snap_to_class(reference.view(), positions, options);
   if (report) internal::write_points(mesh, graph, positions, np);
   return report;
 }

@@ -26,15 +26,14 @@ Spin_transformation_options spin_transformation_options(const Graph_view<Triangl
           NamedParameters, CGAL::internal_np::vertex_point_t, CGAL::internal_np::geom_traits_t,
           CGAL::internal_np::number_of_iterations_t, CGAL::internal_np::random_seed_t,
           CGAL::internal_np::visitor_t, internal_np::output_vertex_point_map_t,
-          internal_np::vertex_spin_map_t, internal_np::sparse_solver_t,
-          internal_np::eigenvalue_solver_t, internal_np::eigenproblem_t, internal_np::exactness_t,
-          internal_np::maximum_period_defect_t, internal_np::limits_t, internal_np::tolerance_t,
-          internal_np::maximum_number_of_substeps_t, internal_np::boundary_direction_t,
+          internal_np::vertex_spin_map_t, internal_np::sparse_solver_t, internal_np::dirac_t,
+          internal_np::exactness_t, internal_np::maximum_period_defect_t, internal_np::limits_t,
+          internal_np::tolerance_t, internal_np::boundary_direction_t,
           internal_np::boundary_direction_map_t, internal_np::vertex_target_point_map_t,
-          internal_np::position_weight_t, internal_np::kernel_tolerance_t, internal_np::branch_t,
-          internal_np::mollification_t, internal_np::scale_bound_t, internal_np::vertex_scale_map_t,
-          internal_np::vertex_scale_weight_map_t, internal_np::exact_conformal_class_t,
-          CGAL::internal_np::vertex_is_constrained_t, CGAL::internal_np::vertex_normal_map_t>,
+          internal_np::position_weight_t, internal_np::mollification_t, internal_np::scale_bound_t,
+          internal_np::vertex_scale_map_t, internal_np::vertex_scale_weight_map_t,
+          internal_np::exact_conformal_class_t, CGAL::internal_np::vertex_is_constrained_t,
+          CGAL::internal_np::vertex_normal_map_t>,
       "spin_transform(): unknown named parameter, see the manual for those it accepts");
   Spin_transformation_options options;
   options.boundary = boundary_condition(graph, np, function);
@@ -110,19 +109,6 @@ Spin_transformation_options spin_transformation_options(const Graph_view<Triangl
 ///     \cgalParamDescription{the linear solver; only its type matters, not its value}
 ///     \cgalParamType{a model of `SparseHermitianSolverTraits`}
 ///     \cgalParamDefault{`Default_solver_traits`}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{eigenvalue_solver}
-///     \cgalParamDescription{without a bound on lengths: the eigenvalue solver; only its type
-///                           matters, not its value}
-///     \cgalParamType{a model of `SparseHermitianEigensolverTraits`}
-///     \cgalParamDefault{`Lobpcg_eigensolver_traits`}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{eigenproblem}
-///     \cgalParamDescription{without a bound on lengths: the discretisation.
-///                           `Dirac_options::Eigenproblem::generalized` requires rho on faces and
-///                           falls back to the standard problem if it is not reliable}
-///     \cgalParamType{`Dirac_options::Eigenproblem`}
-///     \cgalParamDefault{`Dirac_options::Eigenproblem::standard`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{exactness}
 ///     \cgalParamDescription{how handles are kept closed; `std::nullopt`: not at all, in one step}
@@ -212,13 +198,6 @@ Spin_transformation_options spin_transformation_options(const Graph_view<Triangl
 ///                    as value}
 ///     \cgalParamDefault{true on the boundary}
 ///   \cgalParamNEnd
-///   \cgalParamNBegin{kernel_tolerance}
-///     \cgalParamDescription{with directions and without a bound on lengths: singular values of
-///                           D - rho up to this one, in 1/length, count as zero, and the nearest of
-///                           their surfaces is taken}
-///     \cgalParamType{`double`}
-///     \cgalParamDefault{0: the surface of one singular vector is taken}
-///   \cgalParamNEnd
 ///   \cgalParamNBegin{mollification}
 ///     \cgalParamDescription{admits faces of any thinness, also of area zero: solves the equation
 ///                           on the intrinsic Delaunay triangulation, and adds to all edges the
@@ -228,11 +207,13 @@ Spin_transformation_options spin_transformation_options(const Graph_view<Triangl
 ///     \cgalParamType{`double`, between 0 and 1; 1e-6 is a good value}
 ///     \cgalParamDefault{none: faces of area zero are rejected}
 ///   \cgalParamNEnd
-///   \cgalParamNBegin{branch}
-///     \cgalParamDescription{with directions and without a bound on lengths: the singular vector
-///                           of D - rho that is taken}
-///     \cgalParamType{`Dirac_options::Branch`}
-///     \cgalParamDefault{`Dirac_options::Branch::nearest`}
+///   \cgalParamNBegin{dirac}
+///     \cgalParamDescription{without a bound on lengths: how the eigenvector is found: the discrete
+///                           problem, of which the generalized one requires rho on faces; the
+///                           branch and the kernel with directions; the eigensolver; the number of
+///                           stages of a strong rho. The three parameters below take precedence}
+///     \cgalParamType{`Dirac_options`}
+///     \cgalParamDefault{`Dirac_options()`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{tolerance}
 ///     \cgalParamDescription{upper bound of the error estimate of lambda as an eigenvector, that
@@ -245,12 +226,6 @@ Spin_transformation_options spin_transformation_options(const Graph_view<Triangl
 ///                           eigenvalue solver in all}
 ///     \cgalParamType{`unsigned int`}
 ///     \cgalParamDefault{200}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{maximum_number_of_substeps}
-///     \cgalParamDescription{without a bound on lengths: maximum number of substeps in which a
-///                           strong rho is applied}
-///     \cgalParamType{`unsigned int`}
-///     \cgalParamDefault{10}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{random_seed}
 ///     \cgalParamDescription{without a bound on lengths: seed of the second start vector of the

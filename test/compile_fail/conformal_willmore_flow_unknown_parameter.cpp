@@ -9,5 +9,5 @@ namespace CGP = Conformal_geometry_processing;
 int main()
 {
   archetype::Triangle_mesh mesh{3, {{0, 1, 2}}};
-  (void)CGP::conformal_willmore_flow(mesh, CGP::parameters::one_form_generators(1));
+  (void)CGP::conformal_willmore_flow(mesh, CGP::parameters::spectral_shift(1));
 }

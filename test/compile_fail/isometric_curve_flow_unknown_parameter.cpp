@@ -11,5 +11,5 @@ namespace CGP = Conformal_geometry_processing;
 int main()
 {
   std::vector<CGAL::Simple_cartesian<double>::Point_2> points;
-  (void)CGP::isometric_curve_flow(points, CGP::parameters::filter_weight(.1));
+  (void)CGP::isometric_curve_flow(points, CGP::parameters::spectral_shift(.1));
 }

@@ -10,6 +10,5 @@ int main()
 {
   archetype::Triangle_mesh mesh{3, {{0, 1, 2}}};
   const boost::static_property_map<double, archetype::Vertex> rho(1);
-  (void)CGP::spin_transform(
-      mesh, rho, CGP::parameters::branch(CGP::Dirac_options::Branch::nearest).time_step(.1));
+  (void)CGP::spin_transform(mesh, rho, CGP::parameters::tolerance(.1).time_step(.1));
 }

@@ -67,6 +67,8 @@ TEST(Conformal_willmore_flow_of_archetypes, needs_no_more_than_the_concepts_offe
   options.exact_conformal_class = false;
   options.balance = CGP::Flow_options::Balance::prescribed;
   options.target_areas = random_numbers(view.size_of_vertices(), 1).array() + 2;
+  CGP::Dirac_options dirac;
+  dirac.eigensolver = Sparse_hermitian_eigensolver_archetype();
   EXPECT_TRUE(CGP::conformal_willmore_flow(
       mesh, CGP::parameters::vertex_point_map(Point_map_archetype(view))
                 .output_vertex_point_map(Output_map_archetype(points))
@@ -77,7 +79,7 @@ TEST(Conformal_willmore_flow_of_archetypes, needs_no_more_than_the_concepts_offe
                 .curvature_direction(Direction(.5))
                 .visitor(std::ref(visitor))
                 .sparse_solver(Sparse_hermitian_solver_traits_archetype())
-                .eigenvalue_solver(Sparse_hermitian_eigensolver_archetype())));
+                .dirac(dirac)));
   EXPECT_EQ(visitor.begins, 1);
   EXPECT_EQ(visitor.steps, 2);
   EXPECT_GE(visitor.iterations, 2);

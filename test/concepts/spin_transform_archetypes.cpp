@@ -84,13 +84,15 @@ TEST_F(Spin_transform_with_archetypes, of_the_mesh_the_maps_the_geometry_and_the
 
 TEST_F(Spin_transform_with_archetypes, of_the_solvers_too)
 {
+  Conformal_geometry_processing::Dirac_options dirac;
+  dirac.eigensolver = cgp_test::Sparse_hermitian_eigensolver_archetype();
   expect_transformation(params::scale_bound(std::nullopt)
                             .vertex_point_map(cgp_test::Point_map_archetype(view))
                             .output_vertex_point_map(cgp_test::Output_map_archetype(points))
                             .vertex_spin_map(Spin_map(spins))
                             .geom_traits(Geometry_traits_archetype(cgp_test::archetype_unit))
                             .sparse_solver(cgp_test::Sparse_hermitian_solver_traits_archetype())
-                            .eigenvalue_solver(cgp_test::Sparse_hermitian_eigensolver_archetype()));
+                            .dirac(dirac));
 }
 
 TEST_F(Spin_transform_with_archetypes, as_the_spectrum_of_the_surface)

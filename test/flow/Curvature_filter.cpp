@@ -188,7 +188,7 @@ TEST(Filtered_on_surface, leaves_of_each_frequency_what_the_band_says)
   const Points& p = mesh.positions();
   const Eigen::VectorXd z = p.row(2).transpose();
   const Eigen::VectorXd xy = p.row(0).cwiseProduct(p.row(1)).transpose();
-  CGP::internal::Filter_options options;
+  CGP::Filter_options options;
   options.amount = 3;
   for (const int order : {1, 2}) {
     options.order = order;
@@ -219,7 +219,7 @@ TEST(Filtered_on_surface, does_not_depend_on_the_units_of_length_however_large)
 TEST(Filtered_on_surface, refuses_what_its_filter_refuses)
 {
   const Eigen::VectorXd v = Eigen::VectorXd::Zero(12);
-  CGP::internal::Filter_options options;
+  CGP::Filter_options options;
   options.weight = -1;
   EXPECT_THROW((void)CGP::filtered_on_surface(icosphere(0), v, Curvature_band::low, options),
                CGP::Precondition_error);

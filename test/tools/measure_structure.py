@@ -32,7 +32,7 @@ EXAMPLES = {
         r"|vertex_target_point_map",
     "solver `Eigen_hermitian_solver_traits`": r"Eigen_hermitian_solver_traits",
     "residual `Period_residual`": r"Period_residual",
-    "named parameter `filter_weight`": r"\bfilter_weight\b",
+    "named parameter `spectral_shift`": r"\bspectral_shift\b",
     "report field `missing_share`": r"missing_share",
     "verdict rule on `collapsed_share`":
         r"collapsed_share|Fault::collapsed|limits\.collapsed|max-collapsed",

@@ -82,7 +82,7 @@ CGP::Curvature_potential filtered(const Surface_input& input, const CGP::Curvatu
   refuse_if(rho.on == CGP::Curvature_potential::On::faces,
             "--filter-on surface wants rho on vertices; try: --on vertices");
   require_areas_to_filter(input);
-  CGP::internal::Filter_options options;
+  CGP::Filter_options options;
   options.weight = filter.weight.value_or(options.weight);
   options.order = filter.order.value_or(options.order);
   options.amount = filter.amount.value_or(options.amount);

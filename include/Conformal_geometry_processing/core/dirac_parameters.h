@@ -4,30 +4,23 @@
 #include <Conformal_geometry_processing/core/named_parameters.h>
 #include <Conformal_geometry_processing/spin/Dirac_solution.h>
 #include <Quaternionic_linear_algebra/direct/Solver_ref.h>
-#include <Quaternionic_linear_algebra/krylov/Eigensolver_ref.h>
 #include <Quaternionic_linear_algebra/krylov/Eigensolver_result.h>
 
 namespace Conformal_geometry_processing::internal {
 
-/// Returns the options of the Dirac solver given by named parameters
+/// \brief Returns the options of the Dirac solver given by named parameters: those of `dirac`,
+/// where the parameters that other functions have, too, take precedence.
 template <class NamedParameters>
 Dirac_options dirac_options(const NamedParameters& np)
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
-  Dirac_options o;
-  o.problem = choose_parameter(get_parameter(np, internal_np::eigenproblem), o.problem);
+  Dirac_options o = parameter_or(np, internal_np::dirac, Dirac_options());
   o.tolerance = choose_parameter(get_parameter(np, internal_np::tolerance), o.tolerance);
   o.max_iterations = static_cast<int>(choose_parameter(
       get_parameter(np, CGAL::internal_np::number_of_iterations), o.max_iterations));
-  o.max_substeps = static_cast<int>(
-      choose_parameter(get_parameter(np, internal_np::maximum_number_of_substeps), o.max_substeps));
-  o.kernel_tolerance =
-      choose_parameter(get_parameter(np, internal_np::kernel_tolerance), o.kernel_tolerance);
-  o.branch = choose_parameter(get_parameter(np, internal_np::branch), o.branch);
   o.random_seed = static_cast<unsigned>(
       choose_parameter(get_parameter(np, CGAL::internal_np::random_seed), o.random_seed));
-  o.eigensolver = parameter_or(np, internal_np::eigenvalue_solver, Eigensolver_ref());
   return o;
 }
 

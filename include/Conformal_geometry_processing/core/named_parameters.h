@@ -28,38 +28,25 @@
   X(boundary_direction_map)                             \
   X(vertex_target_point_map)                            \
   X(position_weight)                                    \
-  X(kernel_tolerance)                                   \
+  X(dirac)                                              \
   X(mollification)                                      \
-  X(branch)                                             \
   X(vertex_region_map)                                  \
   X(vertex_scale_map)                                   \
   X(vertex_scale_weight_map)                            \
   X(scale_bound)                                        \
   X(blend)                                              \
-  X(keep_curvature)                                     \
-  X(normal_weight)                                      \
-  X(distance_tolerance)                                 \
+  X(fit)                                                \
   X(time_step)                                          \
   X(is_closed)                                          \
-  X(closing)                                            \
-  X(maximum_number_of_substeps)                         \
   X(tolerance)                                          \
-  X(eigenproblem)                                       \
   X(exactness)                                          \
   X(exact_conformal_class)                              \
   X(fairing)                                            \
   X(maximum_period_defect)                              \
   X(limits)                                             \
-  X(eigenvalue_solver)                                  \
   X(sparse_solver)                                      \
-  X(one_form_generators)                                \
-  X(conformal_normals)                                  \
-  X(normalized_boundary)                                \
-  X(filter_weight)                                      \
-  X(filter_order)                                       \
-  X(filter_amount)                                      \
+  X(filter)                                             \
   X(balance)                                            \
-  X(balancing)                                          \
   X(vertex_target_area_map)                             \
   X(curvature_direction)                                \
   X(curvature_potential_map)                            \
@@ -74,8 +61,7 @@
   X(geom_traits, geom_traits)                            \
   X(number_of_iterations, number_of_iterations)          \
   X(random_seed, random_seed)                            \
-  X(visitor, visitor)                                    \
-  X(use_delaunay_triangulation, use_delaunay_triangulation)
+  X(visitor, visitor)
 
 namespace Conformal_geometry_processing {
 

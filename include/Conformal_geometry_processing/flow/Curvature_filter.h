@@ -91,6 +91,8 @@ class Curvature_filter {
   Solver_ref<double> m_solver;
 };
 
+}  // namespace internal
+
 /// \ingroup PkgFlow
 /// options of `filtered_on_surface()`
 struct Filter_options {
@@ -99,8 +101,6 @@ struct Filter_options {
   int order = 1;         ///< k >= 0, the sharpness of the cut-off
   double amount = 1;     ///< of `Curvature_band::unsharp`
 };
-
-}  // namespace internal
 
 /// \ingroup PkgFlow
 /// \brief filters a function on the vertices, such as rho or a height, by its frequencies on the
@@ -111,8 +111,7 @@ struct Filter_options {
 /// \throw Precondition_error if weight or order are out of range
 /// \throw Solver_error if a factorization fails
 inline Eigen::VectorXd filtered_on_surface(const Mesh_view& mesh, const Eigen::VectorXd& v,
-                                           Curvature_band band,
-                                           const internal::Filter_options& options = {},
+                                           Curvature_band band, const Filter_options& options = {},
                                            const Spin_solvers& solvers = {})
 {
   const Points& positions = mesh.positions();
