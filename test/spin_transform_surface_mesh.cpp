@@ -92,17 +92,4 @@ TEST(Spin_transform_of_a_Surface_mesh, keeps_handles_closed_unless_told_otherwis
             2 * (report.conformality.quasi_conformal.mean - 1));
 }
 
-TEST(Spin_transform_of_a_Surface_mesh, closes_handles_up_to_the_limit_that_it_is_given)
-{
-  for (const double limit : {1e-3, 1e-5}) {
-    Surface mesh = to_cgal_mesh<Surface>(btorus(16));
-    auto rho = mesh.add_property_map<Surface::Vertex_index, double>("v:rho").first;
-    for (const auto v : mesh.vertices()) rho[v] = std::sin(3 * mesh.point(v).x() + 1);
-    const auto report = CGP::spin_transform(mesh, rho, unbounded().maximum_period_defect(limit));
-    EXPECT_TRUE(report);
-    EXPECT_LE(report.period_defect, limit);
-    EXPECT_GT(report.period_defect, 0);
-  }
-}
-
 }  // namespace cgp_test::spin_transform_surface_mesh_tests

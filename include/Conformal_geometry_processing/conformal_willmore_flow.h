@@ -77,8 +77,8 @@ Flow_result flow_result(const Graph_view<TriangleMesh>& graph, const NamedParame
           internal_np::sparse_solver_t, internal_np::dirac_t, internal_np::time_step_t,
           internal_np::tolerance_t, internal_np::filter_t, internal_np::balance_t,
           internal_np::vertex_target_area_map_t, internal_np::exactness_t,
-          internal_np::maximum_period_defect_t, internal_np::exact_conformal_class_t,
-          internal_np::fairing_t, internal_np::mollification_t, internal_np::curvature_direction_t,
+          internal_np::exact_conformal_class_t, internal_np::fairing_t,
+          internal_np::mollification_t, internal_np::curvature_direction_t,
           internal_np::boundary_direction_t, internal_np::boundary_direction_map_t>,
       "conformal_willmore_flow(): unknown named parameter, see the manual for those it accepts");
   Flow_options options = flow_options(np);
@@ -188,12 +188,6 @@ Flow_result flow_result(const Graph_view<TriangleMesh>& graph, const NamedParame
 ///     \cgalParamDescription{how surfaces are kept closed around handles and holes}
 ///     \cgalParamType{`Exactness`}
 ///     \cgalParamDefault{`Exactness::adjoint`}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{maximum_period_defect}
-///     \cgalParamDescription{the largest part of the edges that may fail to close up around handles
-///                           and holes, in each step}
-///     \cgalParamType{`double`, positive}
-///     \cgalParamDefault{a quarter of the discretisation error, which falls with the edge length}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{mollification}
 ///     \cgalParamDescription{admits faces of any thinness, also of area zero, see

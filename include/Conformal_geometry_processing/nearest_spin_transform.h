@@ -85,8 +85,8 @@ Points read_points(const TriangleMesh& mesh, PointMap points, const NamedParamet
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{fit}
 ///     \cgalParamDescription{what the search looks for and where it ends: `keep_curvature`,
-///                           `normal_weight`, `distance_tolerance`. The other parameters take
-///                           precedence}
+///                           `normal_weight`, `distance_tolerance`, `max_period_defect`. The other
+///                           parameters take precedence}
 ///     \cgalParamType{`Nearest_spin_options`}
 ///     \cgalParamDefault{`Nearest_spin_options()`; with `vertex_scale_map` the curvature is kept}
 ///   \cgalParamNEnd
@@ -105,12 +105,6 @@ Points read_points(const TriangleMesh& mesh, PointMap points, const NamedParamet
 ///     \cgalParamDescription{how handles are kept closed; `std::nullopt`: not at all, in one step}
 ///     \cgalParamType{`Exactness`, or `std::nullopt`}
 ///     \cgalParamDefault{`Exactness::adjoint`}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{maximum_period_defect}
-///     \cgalParamDescription{the largest part of the edges that may fail to close up around handles
-///                           and holes, all steps together}
-///     \cgalParamType{`double`, positive}
-///     \cgalParamDefault{a quarter of the discretisation error, which falls with the edge length}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{limits}
 ///     \cgalParamDescription{what counts as success, see `Spin_report::fault()`}
@@ -148,8 +142,7 @@ Nearest_spin_report nearest_spin_transform(TriangleMesh& mesh, PointMap target_p
           internal_np::vertex_spin_map_t, internal_np::sparse_solver_t, internal_np::dirac_t,
           internal_np::tolerance_t, internal_np::vertex_scale_map_t, internal_np::blend_t,
           internal_np::fit_t, internal_np::scale_bound_t, internal_np::boundary_direction_t,
-          internal_np::exactness_t, internal_np::maximum_period_defect_t, internal_np::limits_t,
-          internal_np::mollification_t>,
+          internal_np::exactness_t, internal_np::limits_t, internal_np::mollification_t>,
       "nearest_spin_transform(): unknown named parameter, see the manual for those it accepts");
   const char* const function = "nearest_spin_transform";
   const Graph_view<TriangleMesh> graph(mesh, np, function);

@@ -27,13 +27,12 @@ Spin_transformation_options spin_transformation_options(const Graph_view<Triangl
           CGAL::internal_np::number_of_iterations_t, CGAL::internal_np::random_seed_t,
           CGAL::internal_np::visitor_t, internal_np::output_vertex_point_map_t,
           internal_np::vertex_spin_map_t, internal_np::sparse_solver_t, internal_np::dirac_t,
-          internal_np::exactness_t, internal_np::maximum_period_defect_t, internal_np::limits_t,
-          internal_np::tolerance_t, internal_np::boundary_direction_t,
-          internal_np::boundary_direction_map_t, internal_np::vertex_target_point_map_t,
-          internal_np::position_weight_t, internal_np::mollification_t, internal_np::scale_bound_t,
-          internal_np::vertex_scale_map_t, internal_np::vertex_scale_weight_map_t,
-          internal_np::exact_conformal_class_t, CGAL::internal_np::vertex_is_constrained_t,
-          CGAL::internal_np::vertex_normal_map_t>,
+          internal_np::exactness_t, internal_np::limits_t, internal_np::tolerance_t,
+          internal_np::boundary_direction_t, internal_np::boundary_direction_map_t,
+          internal_np::vertex_target_point_map_t, internal_np::position_weight_t,
+          internal_np::mollification_t, internal_np::scale_bound_t, internal_np::vertex_scale_map_t,
+          internal_np::vertex_scale_weight_map_t, internal_np::exact_conformal_class_t,
+          CGAL::internal_np::vertex_is_constrained_t, CGAL::internal_np::vertex_normal_map_t>,
       "spin_transform(): unknown named parameter, see the manual for those it accepts");
   Spin_transformation_options options;
   options.boundary = boundary_condition(graph, np, function);
@@ -114,12 +113,6 @@ Spin_transformation_options spin_transformation_options(const Graph_view<Triangl
 ///     \cgalParamDescription{how handles are kept closed; `std::nullopt`: not at all, in one step}
 ///     \cgalParamType{`Exactness`, or `std::nullopt`}
 ///     \cgalParamDefault{`Exactness::adjoint`}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{maximum_period_defect}
-///     \cgalParamDescription{the largest part of the edges that may fail to close up around handles
-///                           and holes, all steps together}
-///     \cgalParamType{`double`, positive}
-///     \cgalParamDefault{a quarter of the discretisation error, which falls with the edge length}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{scale_bound}
 ///     \cgalParamDescription{b > 1: lengths are multiplied by factors in [1/b, b] on 98 % of the

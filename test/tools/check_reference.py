@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-"""The reference fits the headers: each function documents the named parameters that it accepts, all
+"""The reference fits the headers: there are no more named parameters than one can read, as what is
+seldom set is a member of the options of its family; each function documents the named parameters that it accepts, all
 of them with a default, doc/parameters.md is the table of these, and the page of a concept names
 the header of every type of the library that its functions take or return.
 
@@ -14,6 +15,7 @@ import check_public_types
 import sources
 
 PAGE = sources.ROOT / "doc" / "parameters.md"
+MOST_PARAMETERS = 36
 CONCEPTS = sources.ROOT / "doc" / "Concepts"
 INTRODUCTION = """# Named parameters by function
 
@@ -32,10 +34,18 @@ ACCEPTED = re.compile(r"only_known_parameters<(.*?)>,?\s*\"", re.DOTALL)
 HEADERS = "Headers of these types:"
 
 
+def lists():
+    return (sources.INCLUDE / sources.LIBRARY / "core/named_parameters.h").read_text(encoding="utf-8")
+
+
 def names_of_tags():
     """What users write for a tag of CGAL's, as `vertex_point_map` for `vertex_point`."""
-    header = (sources.INCLUDE / sources.LIBRARY / "core/named_parameters.h").read_text(encoding="utf-8")
-    return dict(re.findall(r"\bX\((\w+), (\w+)\)", header))
+    return dict(re.findall(r"\bX\((\w+), (\w+)\)", lists()))
+
+
+def names():
+    """All named parameters."""
+    return re.findall(r"^  X\((?:\w+, )?(\w+)\)", lists(), re.MULTILINE)
 
 
 def documented(header):
@@ -108,6 +118,9 @@ def files():
 
 
 def complaints(fix):
+    if len(names()) > MOST_PARAMETERS:
+        yield (f"core/named_parameters.h: {len(names())} named parameters, more than {MOST_PARAMETERS}: "
+               "what is seldom set is a member of the options of its family")
     yield from differences()
     for path, content in files():
         if fix:

@@ -32,15 +32,12 @@ Spin_solvers spin_solvers(const NamedParameters& np)
 }
 
 /// \brief the options that named parameters tell of a spin transformation, but for the boundary.
-/// \tparam Options has exactness, max_period_defect, mollification and solvers
+/// \tparam Options has exactness, mollification and solvers
 template <class Options, class NamedParameters>
 void read_exactness_and_mollification(const NamedParameters& np, Options& options)
 {
   if constexpr (has_parameter<NamedParameters, internal_np::exactness_t>)
     options.exactness = CGAL::parameters::get_parameter(np, internal_np::exactness);
-  if constexpr (has_parameter<NamedParameters, internal_np::maximum_period_defect_t>)
-    options.max_period_defect =
-        CGAL::parameters::get_parameter(np, internal_np::maximum_period_defect);
   if constexpr (has_parameter<NamedParameters, internal_np::mollification_t>)
     options.mollification = CGAL::parameters::get_parameter(np, internal_np::mollification);
   options.solvers = spin_solvers(np);

@@ -42,7 +42,6 @@
   X(exactness)                                          \
   X(exact_conformal_class)                              \
   X(fairing)                                            \
-  X(maximum_period_defect)                              \
   X(limits)                                             \
   X(sparse_solver)                                      \
   X(filter)                                             \
