@@ -6,7 +6,7 @@
 # Seen: Eigen passes the null pointer of such a matrix, for which cholmod_solve() reports an invalid
 # xtype. CholmodSupernodalLLT is then at NumericalIssue, and stays there: solve() sets it on failure
 # only, so that later right-hand sides are solved, and reported as failed, until the next factorize().
-# Met: a projection on an empty set of constraints; adapters/Embedded_hermitian_solver.h.
+# Met: a projection on an empty set of constraints; linear_algebra/adapters/Embedded_hermitian_solver.h.
 set -euo pipefail
 
 work=$(mktemp -d)

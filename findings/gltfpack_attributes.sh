@@ -4,8 +4,8 @@
 # Versions: gltfpack 1.3.0 (npm gltfpack), glTF Transform 4.5.1 (npm @gltf-transform/core).
 # Expected: gltfpack -kv, "keep source vertex attributes even if they aren't used", keeps the attributes
 # of an application, whose names begin with an underscore.
-# Seen: _RHO is dropped with that option, and with -noq, without a warning. glTF Transform reads and
-# writes it.
+# Seen: _RHO is dropped whatever the options are; a warning tells, the exit code is 0. The option is
+# about texture coordinates and colours that no material uses. glTF Transform reads and writes it.
 # Met: rho and quality in GLB files have no other place than such attributes.
 set -euo pipefail
 
@@ -31,14 +31,14 @@ document.createScene().addChild(
 await io.write("in.glb", document);
 console.log(`glTF Transform ${VERSION}: ${names(await io.read("in.glb"))}`);
 for (const options of [["-noq"], ["-noq", "-kv"]]) {
-  const log = execFileSync("node_modules/.bin/gltfpack", ["-i", "in.glb", "-o", "out.glb", ...options]);
-  console.log(`gltfpack ${options.join(" ")}: ${names(await io.read("out.glb"))}, says "${log}"`);
+  execFileSync("node_modules/.bin/gltfpack", ["-i", "in.glb", "-o", "out.glb", ...options]);
+  console.log(`gltfpack ${options.join(" ")}: ${names(await io.read("out.glb"))}`);
 }
 JS
 cat >wanted <<'TEXT'
 glTF Transform v4.5.1: POSITION,_RHO
-gltfpack -noq: POSITION, says ""
-gltfpack -noq -kv: POSITION, says ""
+gltfpack -noq: POSITION
+gltfpack -noq -kv: POSITION
 TEXT
 
 node pack.mjs | tee seen
