@@ -72,7 +72,7 @@ def test_errors_are_those_of_python_too():
     (dict(max_scale=2, vertex_scale=[]), "vertex_scale is empty"),
     (dict(max_scale=None, vertex_scale=np.ones(162)), "need a scale bound"),
     (dict(exactness="exact"), "'adjoint', 'thesis'"),
-    (dict(branch="other"), "'nearest', 'smallest', 'zero'"),
+    (dict(dirac=cg.Dirac_options(branch="other")), "'nearest', 'smallest', 'zero'"),
     (dict(on="edges"), "'vertices' or 'faces'"),
     (dict(on="faces"), "one per face is needed: 320"),
     (dict(mollification=2.), "ollification"),

@@ -82,7 +82,8 @@ def test_takes_rho_on_faces():
     on_faces = RHO[F].mean(axis=1)
     result = cg.spin_transform(V, F, on_faces, max_scale=None)
     assert result
-    generalized = cg.spin_transform(V, F, on_faces, eigenproblem="generalized", max_scale=None)
+    generalized = cg.spin_transform(V, F, on_faces, max_scale=None,
+                                    dirac=cg.Dirac_options(eigenproblem="generalized"))
     assert np.abs(result.positions - generalized.positions).max() < .05
 
 

@@ -24,12 +24,13 @@ from ._reports import (Area_distortion, Class_snap_report, Conformality, Distrib
                        Flow_step_report, Length_cross_ratio_change, Limits, Mean_and_max,
                        Mollification, Parameterization_report, Realised_curvature, Scales,
                        Spin_report)
-from ._spin import (Progress, Spin_result, Spin_transformation, minimal_surface, spin_transform)
+from ._spin import (Dirac_options, Progress, Spin_result, Spin_transformation, minimal_surface,
+                    spin_transform)
 from ._surfaces import (Class_snap_result, Dirac_spectrum, Flattening, Harmonic_basis,
                         dirac_spectrum, flatten, harmonic_basis, snap_to_conformal_class)
 
 __all__ = [
-    "spin_transform", "Spin_transformation", "Spin_derivative", "Boundary_condition",
+    "spin_transform", "Spin_transformation", "Dirac_options", "Spin_derivative", "Boundary_condition",
     "deform", "Conformal_deformation", "willmore_flow", "flatten", "nearest", "blend",
     "minimal_surface", "harmonic_basis",
     "dirac_spectrum", "snap_to_conformal_class", "dirac_operator", "dirac_energy",

@@ -12,7 +12,7 @@ from . import _kernels
 from ._arrays import faces, points, real, real_or_none
 from ._report import build
 from ._reports import Spin_report, known
-from ._spin import Callback, Spin_result, _progress, spin_result
+from ._spin import Callback, Dirac_options, Spin_result, _progress, spin_result
 
 
 @dataclass(frozen=True, eq=False)
@@ -27,9 +27,9 @@ def nearest(V: Any, target: Any, F: Any, *, blend: float = 0., keep_curvature: b
             normal_weight: float = 1., distance_tolerance: float = 1e-4,
             direction: Any = (1, 0, 0), max_scale: Optional[float] = None, vertex_scale: Any = None,
             exactness: Optional[str] = "adjoint", max_period_defect: Optional[float] = None,
-            mollification: Optional[float] = None, eigenproblem: str = "standard",
-            tolerance: float = 1e-8, max_iterations: int = 200, max_substeps: int = 10,
-            random_seed: int = 0, limits: Optional[Dict[str, float]] = None,
+            mollification: Optional[float] = None, tolerance: float = 1e-8,
+            max_iterations: int = 200, random_seed: int = 0,
+            dirac: Dirac_options = Dirac_options(), limits: Optional[Dict[str, float]] = None,
             callback: Callback = None) -> Nearest_result:
     """Deforms a surface conformally, as closely as possible to a given deformation: minimises the
     mean square distance of the vertices after the best similarity, as far as the normals come
@@ -64,13 +64,12 @@ def nearest(V: Any, target: Any, F: Any, *, blend: float = 0., keep_curvature: b
         as in ``spin_transform()``
     """
     name = "nearest"
-    options = dict(direction=real(direction, name, "directions"), keep_curvature=keep_curvature,
+    options = dict(vars(dirac), direction=real(direction, name, "directions"), keep_curvature=keep_curvature,
                    normal_weight=float(normal_weight),
                    distance_tolerance=float(distance_tolerance), max_scale=max_scale,
                    vertex_scale=real_or_none(vertex_scale, name, "factors"), exactness=exactness,
                    max_period_defect=max_period_defect, mollification=mollification,
-                   eigenproblem=eigenproblem, tolerance=tolerance, max_iterations=max_iterations,
-                   max_substeps=max_substeps, random_seed=random_seed)
+                   tolerance=tolerance, max_iterations=max_iterations, random_seed=random_seed)
     positions, spins, report, distance, normal_distance, conflicts = _kernels.nearest(
         points(V, name), points(target, name), faces(F, name), float(blend), options, known(limits),
         _progress(callback))

@@ -56,6 +56,15 @@ def spin_result(positions: np.ndarray, spins: np.ndarray, report: Dict[str, Any]
     return Spin_result(positions, spins, build(Spin_report, report))
 
 
+@dataclass(frozen=True)
+class Dirac_options:
+    """How the eigenvector is found, which there is only without a bound on lengths."""
+    max_substeps: int = 10  #: in which a strong rho is applied, each with a factorization
+    eigenproblem: str = "standard"  #: or "generalized" [CGP (5.2)]: rho on faces, closed surfaces
+    kernel_tolerance: float = 0.  #: with directions: singular values of D - rho that count as zero
+    branch: str = "nearest"  #: or "smallest", "zero": which singular vector of D - rho is taken
+
+
 class Spin_transformation:
     """Many edits of one mesh: what depends on the mesh alone is computed once.
 
@@ -91,17 +100,15 @@ class Spin_transformation:
         self._kernel.set_positions(points(V, self._function))
 
     def transform(self, rho: Any, *, on: Optional[str] = None, tolerance: float = 1e-8,
-                  max_iterations: int = 200, max_substeps: int = 10,
-                  eigenproblem: str = "standard", kernel_tolerance: float = 0.,
-                  branch: str = "nearest", random_seed: int = 0,
+                  max_iterations: int = 200, random_seed: int = 0,
+                  dirac: Dirac_options = Dirac_options(),
                   limits: Optional[Dict[str, float]] = None,
                   callback: Callback = None) -> Spin_result:
         """The surface whose mean curvature is changed by rho; the object stays as it is."""
-        dirac = dict(tolerance=tolerance, max_iterations=max_iterations, max_substeps=max_substeps,
-                     eigenproblem=eigenproblem, kernel_tolerance=kernel_tolerance, branch=branch,
-                     random_seed=random_seed)
+        options = dict(vars(dirac), tolerance=tolerance, max_iterations=max_iterations,
+                       random_seed=random_seed)
         return spin_result(*self._kernel.transform(
-            real(rho, self._function, "values of rho"), on or "", dirac, known(limits),
+            real(rho, self._function, "values of rho"), on or "", options, known(limits),
             _progress(callback)))
 
     def integrate(self, spins: Any) -> Spin_result:
@@ -124,9 +131,8 @@ def spin_transform(V: Any, F: Any, rho: Any, *, on: Optional[str] = None,
                    exactness: Optional[str] = "adjoint",
                    max_period_defect: Optional[float] = None,
                    mollification: Optional[float] = None, exact_conformal_class: bool = False,
-                   tolerance: float = 1e-8, max_iterations: int = 200, max_substeps: int = 10,
-                   eigenproblem: str = "standard", kernel_tolerance: float = 0.,
-                   branch: str = "nearest", random_seed: int = 0,
+                   tolerance: float = 1e-8, max_iterations: int = 200, random_seed: int = 0,
+                   dirac: Dirac_options = Dirac_options(),
                    limits: Optional[Dict[str, float]] = None,
                    callback: Callback = None) -> Spin_result:
     """Deforms a surface conformally so that its mean curvature changes as prescribed
@@ -174,14 +180,12 @@ def spin_transform(V: Any, F: Any, rho: Any, *, on: Optional[str] = None,
     tolerance : float
         upper bound of the error estimate of lambda; this and the next options are for the
         eigenvector, which there is only without a bound on lengths
-    max_iterations, max_substeps : int
-        bounds of the work: iterations of the eigensolver, substeps of a strong rho
-    eigenproblem : "standard" or "generalized"
-        the discretisation; the second for rho on faces of closed surfaces [CGP (5.2)]
-    kernel_tolerance, branch : float; "nearest", "smallest" or "zero"
-        with directions at the boundary: which singular vector of D - rho is taken
+    max_iterations : int
+        of the eigensolver
     random_seed : int
         of start vectors; same input, same bits
+    dirac : Dirac_options
+        what is seldom set
     limits : dict, optional
         other bounds of what counts as success, by the names of ``Limits``
     callback : function of Progress, optional
@@ -206,21 +210,20 @@ def spin_transform(V: Any, F: Any, rho: Any, *, on: Optional[str] = None,
         max_period_defect=max_period_defect, mollification=mollification,
         exact_conformal_class=exact_conformal_class, function="spin_transform")
     return transformation.transform(
-        rho, on=on, tolerance=tolerance, max_iterations=max_iterations, max_substeps=max_substeps,
-        eigenproblem=eigenproblem, kernel_tolerance=kernel_tolerance, branch=branch,
-        random_seed=random_seed, limits=limits, callback=callback)
+        rho, on=on, tolerance=tolerance, max_iterations=max_iterations, random_seed=random_seed,
+        dirac=dirac, limits=limits, callback=callback)
 
 
 def minimal_surface(V: Any, F: Any, *, boundary: Optional[Boundary_condition] = None,
-                    tolerance: float = 1e-8, max_iterations: int = 200,
-                    kernel_tolerance: float = 0., branch: str = "nearest", random_seed: int = 0,
+                    tolerance: float = 1e-8, max_iterations: int = 200, random_seed: int = 0,
+                    dirac: Dirac_options = Dirac_options(),
                     callback: Callback = None) -> Spin_result:
     """The minimal surface conformally equivalent to a surface with boundary, by rho = -H in one
     solve [CGP 6.5.3]. By default it keeps the tangents of the boundary; with binormals, the report
-    is false where no eigenvalue is 0. kernel_tolerance 0: 3 h / R^2 of the mesh. The parameters are
+    is false where no eigenvalue is 0. A kernel_tolerance of 0 is 3 h / R^2. The parameters are
     those of ``spin_transform()``."""
     name = "minimal_surface"
-    dirac = dict(tolerance=tolerance, max_iterations=max_iterations, branch=branch,
-                 kernel_tolerance=kernel_tolerance, random_seed=random_seed)
-    return spin_result(*_kernels.minimal_surface(points(V, name), faces(F, name), boundary, dirac,
+    options = dict(vars(dirac), tolerance=tolerance, max_iterations=max_iterations,
+                   random_seed=random_seed)
+    return spin_result(*_kernels.minimal_surface(points(V, name), faces(F, name), boundary, options,
                                                  _progress(callback)))
