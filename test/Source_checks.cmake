@@ -22,6 +22,9 @@ else()
   set(headers_alone_arguments ${licences_arguments})
   set(hostile_macros_arguments ${all_at_once_arguments})
   set(two_units_arguments ${all_at_once_arguments})
+  if(TARGET conformal)
+    set(subcommands_arguments $<TARGET_FILE:conformal>)
+  endif()
   list(GET all_at_once_arguments 0 cgal_package_arguments) # header-only, a third of g++'s time
   foreach(what headers_alone hostile_macros two_units layers licences mirrored_tests format lengths
                heads performance thesis_map manual manual_tasks public_types

@@ -7,11 +7,11 @@ import tempfile
 MESHES = ["armadillo.off", "bear.off", "fandisk.off", "homer.off", "triceratops.off"]
 
 COMMANDS = [
-    "spin bear.off --rho-expression sin(5*y) --tolerance 1e300",
+    "spin bear.off --rho-expression sin(5*y) --advanced tolerance=1e300",
     "spin homer.off --rho-expression 3*sin(6*y) --max-scale none",
     "spin homer.off --rho-expression 3*sin(6*y)",
     "spin knot1.off --rho-expression x",
-    "spin knot1.off --rho-expression x --min-realised 0.95",
+    "spin knot1.off --rho-expression x --limit realised_share=0.95",
     "sphere --kappa -40 --level 4",
     "sphere --kappa 3 --level 5",
     "spectrum homer.off --count 10 --surface 9",

@@ -97,7 +97,7 @@ def output_is_input(bench):
         check.ended(f"exit {code}")
         check.expect(code == 0 and mesh.read_bytes() == bench.reference, f"{way}: {message}")
     shutil.copy(bench.mesh, mesh)
-    code, _ = bench.run(*bench.spin(mesh, mesh), "--max-closure", "1e-12")
+    code, _ = bench.run(*bench.spin(mesh, mesh), "--limit", "closure=1e-12")
     check.ended(f"exit {code}")
     check.expect(code == 1 and mesh.read_bytes() == bench.mesh.read_bytes(), f"exit {code}")
     check.expect(not others(folder, "mesh.ply", "link.ply"), f"left {others(folder)}")

@@ -52,7 +52,7 @@ def runs(bench):
     sheet, ring = bent_sheet(bench.folder / "sheet.off"), torus(bench.folder / "torus.off")
     spin = ["spin", bench.mesh, *RHO]
     return {
-        "spin": spin, "spin, CHOLMOD": [*spin, "--solver", "cholmod"],
+        "spin": spin, "spin, CHOLMOD": [*spin, "--advanced", "solver=cholmod"],
         "spin, handles": ["spin", ring, "--rho-expression", "0.3*z"],
         "spin, boundary": ["spin", sheet, *RHO, "--boundary", "tangents"],
         "boundary": ["boundary", sheet, "--binormal-tilt", "10*cos(2*pi*s)"],

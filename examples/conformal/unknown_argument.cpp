@@ -1,6 +1,7 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include "unknown_argument.h"
 
+#include "conformal/commands/keyed_options.h"
 #include "conformal/process/near_names.h"
 
 #include <CLI/CLI.hpp>
@@ -29,7 +30,7 @@ std::vector<std::string> own_names(const CLI::App& command)
   };
   add_all(command);
   for (const CLI::App* group : command.get_subcommands(all_apps))
-    if (group->get_name().empty()) add_all(*group);
+    if (group->get_name().empty() && !group->get_disabled()) add_all(*group);
   return names;
 }
 
@@ -59,6 +60,8 @@ std::string fault_of_option(const CLI::App& app, const std::string& option)
   const std::vector<std::string> early = app.remaining(false);
   const bool is_early = std::find(early.begin(), early.end(), option) != early.end();
   const CLI::App& command = is_early ? app : *app.get_subcommands().front();
+  if (const std::string keyed = keyed_option(command, name); !keyed.empty())
+    return "unknown option " + shown + "; try: " + keyed;
   std::vector<std::string> near = near_names(name, own_names(command));
   if (is_early && near.empty() && !app.get_subcommands().empty())
     return "the option " + shown + " is before the name of a command; try: " + help_command(app);

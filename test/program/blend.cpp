@@ -119,7 +119,7 @@ TEST_F(Blend, tells_where_surfaces_are_not_conformally_equivalent)
 TEST_F(Blend, writes_nothing_unless_every_frame_verifies)
 {
   const std::string blend =
-      "blend -q a.off b.off --t 1 --frames 3 -o c.ply --json c.json --max-quasi-conformal 1.01";
+      "blend -q a.off b.off --t 1 --frames 3 -o c.ply --json c.json --limit quasi_conformal=1.01";
   EXPECT_TRUE(fails(run(blend), 1, "t = 0.5: the mean quasi-conformal error"));
   for (const char* name : {"c.ply", "c_0000.ply", "c_0001.ply"}) EXPECT_FALSE(has(name));
   EXPECT_FALSE(json("c.json")["verified"]);

@@ -148,8 +148,8 @@ TEST_F(Boundary, directions_that_are_missed_have_a_limit)
   const double missed = json("b.json")["result"]["boundary"]["direction_error"]["mean"];
   EXPECT_GT(missed, 1);  // five waves on thirty edges
   EXPECT_TRUE(
-      fails(run(tilt + " -q --max-direction-error 1"), 1, "directions at the boundary are"));
-  EXPECT_EQ(run(tilt + " -q --max-direction-error 1 --force").code, 0);
+      fails(run(tilt + " -q --limit direction_error=1"), 1, "directions at the boundary are"));
+  EXPECT_EQ(run(tilt + " -q --limit direction_error=1 --force").code, 0);
 }
 
 TEST_F(Boundary, several_loops_are_told_apart)

@@ -70,7 +70,7 @@ TEST_F(Bounded, solvers_agree)
   const std::string spin = "spin -q a.off --rho-expression 'x*y' --boundary binormals -o ";
   ASSERT_EQ(run(spin + "b.ply").code, 0);
   for (const std::string solver : {"cholmod", "eigen"}) {
-    ASSERT_EQ(run(spin + "c.ply --solver " + solver).code, 0);
+    ASSERT_EQ(run(spin + "c.ply --advanced solver=" + solver).code, 0);
     EXPECT_LT((points("b.ply") - points("c.ply")).cwiseAbs().maxCoeff(), 1e-5) << solver;
   }
 }
@@ -125,8 +125,9 @@ TEST_F(Bounded, flow_refuses_to_balance_areas)
 TEST_F(Bounded, generalized_problem_is_for_closed_surfaces)
 {
   write("a.off", off(disk(4)));
-  EXPECT_TRUE(fails(run("spin a.off --rho-expression x --on faces --problem generalized -o b.ply"),
-                    4, "try: --problem standard"));
+  EXPECT_TRUE(
+      fails(run("spin a.off --rho-expression x --on faces --advanced problem=generalized -o b.ply"),
+            4, "try: --advanced problem=standard"));
 }
 
 TEST_F(Bounded, a_single_triangle_is_no_accident)

@@ -1,6 +1,6 @@
 // Tests examples/conformal/Command_line.cpp
 // Tests examples/conformal/run.cpp examples/conformal/process/versions.cpp
-// Tests examples/conformal/unknown_argument.cpp
+// Tests examples/conformal/unknown_argument.cpp examples/conformal/commands/keyed_options.cpp
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include "program/support.h"
 #include "support/spheres.h"
@@ -43,7 +43,7 @@ TEST_F(Command_line, nonsense_is_a_usage_error_of_one_line)
   EXPECT_TRUE(fails(run("spin --wrong 3 a.off -o b.ply --rho-expression x"), 2, "--wrong"));
   EXPECT_TRUE(fails(run("spin a.off -o b.ply --rho-expression x --threads 0"), 2, "above 0"));
   EXPECT_TRUE(
-      fails(run("spin a.off -o b.ply --rho-expression x --max-period-defect 0"), 2, "above 0"));
+      fails(run("spin a.off -o b.ply --rho-expression x --limit period_defect=0"), 2, "above 0"));
   EXPECT_TRUE(fails(run("spin a.off -o b.ply --rho-expression x --amplitude inf"), 2, "finite"));
   for (const std::string name : {"a b", "", "$(printf 'a\\nproperty float b')"})
     EXPECT_TRUE(
@@ -83,6 +83,34 @@ TEST_F(Command_line, unknown_options_are_named_with_those_that_are_near)
   EXPECT_TRUE(fails(run("--rho x spin"), 2, "--rho is before the name of a command"));
 }
 
+TEST_F(Command_line, options_that_have_become_keys_are_named_as_such)
+{
+  for (const auto& [before, now] : {std::pair{"--max-closure=1", "--limit closure=VALUE"},
+                                    {"--min-realised=1", "--limit realised_share=VALUE"},
+                                    {"--max-period-defect=1", "--limit period_defect=VALUE"},
+                                    {"--seed=1", "--advanced seed=VALUE"},
+                                    {"--strict", "--advanced strict"}})
+    EXPECT_TRUE(fails(run(std::string("spin a.off ") + before), 2, std::string("; try: ") + now));
+}
+
+TEST_F(Command_line, keys_are_checked_reported_and_listed)
+{
+  write("a.off", off(cgp_test::icosphere(1)));
+  const std::string spin = "spin -q a.off -o b.ply --rho-expression x --json b.json ";
+  ASSERT_EQ(run(spin + "--advanced seed=3 --limit closure=.2 --advanced ascii").code, 0);
+  const auto options = read_json("b.json")["options"];
+  EXPECT_EQ(options["seed"], "3");
+  EXPECT_EQ(options["closure"], ".2");
+  EXPECT_EQ(options["ascii"], true);
+  EXPECT_EQ(options["flipped_share"], "0.01");
+  EXPECT_TRUE(fails(run(spin + "--limit closre=1"), 2, "unknown key 'closre'; try: closure, or "));
+  EXPECT_TRUE(fails(run(spin + "--advanced seed=x"), 2, "--seed"));
+  EXPECT_TRUE(fails(run(spin + "--advanced seed"), 2, "--seed"));
+  const Program_run list = run("spin --limit help");
+  EXPECT_EQ(list.code, 0);
+  EXPECT_NE(list.out.find("\n    flipped_share FLOAT=0.01 "), std::string::npos) << list.out;
+}
+
 TEST_F(Command_line, unknown_arguments_and_commands_are_named)
 {
   EXPECT_TRUE(fails(run("spin a.off -o b.ply --rho-expression 2 + x"), 2,
@@ -96,15 +124,16 @@ TEST_F(Command_line, numbers_that_no_work_could_use_are_usage_errors)
   const std::string spin = "spin a.off -o b.ply --rho-expression x ";
   for (const std::string number : {"nan", "inf", "1e300"}) {
     for (const std::string option :
-         {"--amplitude ", "--tolerance ", "--max-closure ", "--max-quasi-conformal ",
-          "--max-scale ", "--max-memory ", "--filter low-pass --filter-weight ", "--mollify="})
+         {"--amplitude ",
+          "--advanced tolerance=", "--limit closure=", "--limit quasi_conformal=", "--max-scale ",
+          "--advanced max-memory=", "--filter low-pass --filter-weight ", "--mollify="})
       EXPECT_EQ(run(spin + option + number).code, 2) << option << number;
-    EXPECT_EQ(run("spectrum a.off --resolution " + number).code, 2) << number;
+    EXPECT_EQ(run("spectrum a.off --advanced resolution=" + number).code, 2) << number;
     EXPECT_EQ(run("spectrum a.off --shift " + number).code, 2) << number;
     EXPECT_EQ(run("boundary a.off -o b.ply --minimal --position-weight " + number).code, 2);
     EXPECT_EQ(run("curve a.svg -o b.svg --animate --seconds " + number).code, 2) << number;
   }
-  EXPECT_EQ(run(spin + "--tolerance 1").code, 2);
+  EXPECT_EQ(run(spin + "--advanced tolerance=1").code, 2);
   for (const std::string kappa : {"2000000000", "-2000000000", "1001"})
     EXPECT_EQ(run("sphere -o b.ply --kappa " + kappa).code, 2) << kappa;
 }

@@ -112,8 +112,10 @@ TEST_F(Curve_command, ends_are_detected_or_told)
 TEST_F(Curve_command, least_squares_stretches_a_little)
 {
   write("a.csv", rows(cgp_test::flower(200)));
-  ASSERT_EQ(run("curve -q a.csv --steps 1 --time-step 0.4 --closing least-squares -o b.csv").code,
-            0);
+  ASSERT_EQ(
+      run("curve -q a.csv --steps 1 --time-step 0.4 --advanced closing=least-squares -o b.csv")
+          .code,
+      0);
   EXPECT_NEAR(cgp_test::distortion(cgp_test::flower(200), points("b.csv")), 3.316e-3, 1e-5);
 }
 
@@ -158,7 +160,7 @@ TEST_F(Curve_command, animation_has_a_frame_for_each_step_and_ends_with_the_resu
 TEST_F(Curve_command, bezier_curves_are_sampled)
 {
   write("a.svg", "<svg><path d='M0,0 C0,1 1,1 1,0 C1,-1 0,-1 0,0 Z'/></svg>");
-  ASSERT_EQ(run("curve -q a.svg --steps 1 --samples 5 --pieces 0 -o b.csv").code, 0);
+  ASSERT_EQ(run("curve -q a.svg --steps 1 --advanced samples=5 --pieces 0 -o b.csv").code, 0);
   EXPECT_EQ(points("b.csv").cols(), 10);
 }
 
@@ -197,7 +199,8 @@ TEST_F(Curve_command, repeated_points_are_left_out_with_a_note)
   EXPECT_NE(r.err.find("note: left out: 1 point that repeats the one before"), std::string::npos)
       << r.err;
   EXPECT_EQ(points("b.csv").cols(), 4);
-  EXPECT_TRUE(fails(run("curve a.csv --strict --steps 1 -o c.csv"), 4, "left out: 1 point"));
+  EXPECT_TRUE(
+      fails(run("curve a.csv --advanced strict --steps 1 -o c.csv"), 4, "left out: 1 point"));
   EXPECT_FALSE(has("c.csv"));
 }
 
@@ -205,8 +208,9 @@ TEST_F(Curve_command, nonsense_is_refused)
 {
   write("a.csv", rows(cgp_test::flower(50)));
   for (const std::string option :
-       {"--steps 0", "--steps many", "--time-step 0", "--time-step 1", "--every 0", "--samples 0",
-        "--pieces -1", "--ends loose", "--closing never", "--seconds 3", "--seconds 0 --animate"})
+       {"--steps 0", "--steps many", "--time-step 0", "--time-step 1", "--every 0",
+        "--advanced samples=0", "--pieces -1", "--ends loose", "--advanced closing=never",
+        "--seconds 3", "--seconds 0 --animate"})
     EXPECT_EQ(run("curve a.csv -o b.svg " + option).code, 2) << option;
   EXPECT_TRUE(fails(run("curve a.csv -o b.png"), 5, "b.png: has no known extension"));
   EXPECT_TRUE(fails(run("curve a.png -o b.svg"), 3, "a.png: has no known extension"));

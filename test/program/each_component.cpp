@@ -149,7 +149,7 @@ TEST_F(Each_component, that_fails_is_no_part_of_the_fields_of_the_others)
   write("a.off", off(all.mesh));
   EXPECT_TRUE(fails(run("harmonic a.off --each-component -o b.ply"), 4, "genus 0"));
   EXPECT_FALSE(has("b.ply"));
-  EXPECT_EQ(run("harmonic a.off --each-component --keep-going -o b.ply").code, 1);
+  EXPECT_EQ(run("harmonic a.off --each-component --advanced keep-going -o b.ply").code, 1);
   EXPECT_TRUE(has("b.ply"));
 }
 
@@ -185,10 +185,10 @@ TEST_F(Each_component, that_fails_is_named_and_nothing_is_written)
   EXPECT_FALSE(report["verified"]);
   EXPECT_FALSE(report["components"][0]["verified"]);
   EXPECT_TRUE(report["components"][2]["verified"]);
-  EXPECT_TRUE(fails(run("spin -q --rho-expression x --max-quasi-conformal 1.000001 " + each), 1,
+  EXPECT_TRUE(fails(run("spin -q --rho-expression x --limit quasi_conformal=1.000001 " + each), 1,
                     "components failed; component 0 (from vertex 0)"));
   EXPECT_FALSE(has("b.ply"));
-  EXPECT_EQ(run("spin -q --rho-expression x --force --max-quasi-conformal 1.000001 " + each).code,
+  EXPECT_EQ(run("spin -q --rho-expression x --force --limit quasi_conformal=1.000001 " + each).code,
             0);
   EXPECT_TRUE(has("b.ply"));
   EXPECT_FALSE(json("b.json")["verified"]);
@@ -216,7 +216,7 @@ TEST_F(Each_component, that_fails_stays_as_it_was_if_the_others_are_wanted)
 {
   const Joined_meshes all = cgp_test::interleaved(parts());
   write("a.off", off(all.mesh));
-  const std::string each = " -q --each-component --keep-going --json b.json ";
+  const std::string each = " -q --each-component --advanced keep-going --json b.json ";
   EXPECT_TRUE(fails(run("flatten a.off --planar-mesh -o b.ply" + each), 1,
                     "a.off: 2 of 3 components failed; component 0 (from vertex 0), component 1 "
                     "(from vertex 1): the surface is closed"));
@@ -224,10 +224,11 @@ TEST_F(Each_component, that_fails_stays_as_it_was_if_the_others_are_wanted)
   EXPECT_EQ(json("b.json")["result"]["verified_components"], 1);
   EXPECT_EQ(points("b.ply", all.vertices[1]), points("a.off", all.vertices[1]));
   EXPECT_LT(points("b.ply", all.vertices[2]).row(2).cwiseAbs().maxCoeff(), 1e-12);
-  EXPECT_TRUE(fails(run("spin a.off --rho-expression x -o c.ply --max-flipped -1" + each), 1,
-                    "3 of 3 components failed"));
+  EXPECT_TRUE(fails(run("spin a.off --rho-expression x -o c.ply --limit flipped_share=-1" + each),
+                    1, "3 of 3 components failed"));
   EXPECT_FALSE(has("c.ply"));
-  EXPECT_TRUE(fails(run("spin a.off --rho-expression x -o c.ply --keep-going"), 2, "--keep-going"));
+  EXPECT_TRUE(fails(run("spin a.off --rho-expression x -o c.ply --advanced keep-going"), 2,
+                    "--keep-going requires --each"));
 }
 
 TEST_F(Each_component, with_a_face_of_area_zero_does_not_take_the_others_with_it)
@@ -242,7 +243,7 @@ TEST_F(Each_component, with_a_face_of_area_zero_does_not_take_the_others_with_it
   for (const std::string command : {"spin --rho-expression .3*x --mollify=0", "flow --steps 1"}) {
     EXPECT_TRUE(fails(run(command + each), 4, "of area zero"));
     EXPECT_FALSE(has("b.ply"));
-    EXPECT_TRUE(fails(run(command + each + "--keep-going --json b.json"), 1,
+    EXPECT_TRUE(fails(run(command + each + "--advanced keep-going --json b.json"), 1,
                       "1 of 2 components failed; component 1 (from vertex 1): "));
     EXPECT_EQ(json("b.json")["result"]["verified_components"], 1);
     EXPECT_EQ(points("b.ply", all.vertices[1]), points("a.off", all.vertices[1]));

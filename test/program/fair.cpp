@@ -107,7 +107,7 @@ TEST_F(Fair, refuses_what_is_no_region)
   is_refused("--region-expression 0/0", 4, "no vertex is in the region");
   is_refused("--region-expression 1", 4, "the whole component");
   is_refused("--region-property none", 4, "none");
-  is_refused("--region-expression 'z-.4' --max-quasi-conformal 1", 1, "quasi-conformal");
+  is_refused("--region-expression 'z-.4' --limit quasi_conformal=1", 1, "quasi-conformal");
 }
 
 }  // namespace cgp_test::fair_tests

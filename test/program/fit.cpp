@@ -175,7 +175,7 @@ TEST_F(Fit, writes_what_does_not_verify_only_by_force)
   const auto beam = cgp_test::beam(2);
   write("a.off", off(beam));
   write("t.off", off(cgp_test::bent_beam(beam, 2)));
-  const std::string fit = "fit -q a.off t.off -o b.ply --json b.json --max-quasi-conformal 1.001";
+  const std::string fit = "fit -q a.off t.off -o b.ply --json b.json --limit quasi_conformal=1.001";
   EXPECT_TRUE(fails(run(fit), 1, "the mean quasi-conformal error is 1."));
   EXPECT_FALSE(has("b.ply"));
   EXPECT_FALSE(json("b.json")["verified"]);

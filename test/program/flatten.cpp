@@ -135,7 +135,7 @@ TEST_F(Flatten, refuses_closed_surfaces_and_maps_that_do_not_verify)
   write("a.off", off(cgp_test::icosphere(1)));
   EXPECT_TRUE(fails(run("flatten a.off -o b.ply"), 4, "the surface is closed"));
   write("c.off", off(cap_from_disk(disk(8), 2.)));
-  const std::string strict = "flatten c.off -o b.ply --max-quasi-conformal 1.001";
+  const std::string strict = "flatten c.off -o b.ply --limit quasi_conformal=1.001";
   EXPECT_TRUE(fails(run(strict), 1, "the mean quasi-conformal error is 1.1"));
   EXPECT_FALSE(has("b.ply"));
   EXPECT_EQ(run(strict + " --force").code, 0);
@@ -147,8 +147,9 @@ TEST_F(Flatten, counts_flips_among_what_does_not_verify)
 {
   const auto sphere = cgp_test::perturbed(cgp_test::icosphere(2), .15);
   write("a.off", off(cgp_test::without_face(sphere, 0)));
-  EXPECT_TRUE(fails(run("flatten a.off -o b.ply --max-quasi-conformal 1e9 --max-flipped 0"), 1,
-                    "the share of flipped faces"));
+  EXPECT_TRUE(
+      fails(run("flatten a.off -o b.ply --limit quasi_conformal=1e9 --limit flipped_share=0"), 1,
+            "the share of flipped faces"));
 }
 
 }  // namespace cgp_test::flatten_tests

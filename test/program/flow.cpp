@@ -138,9 +138,12 @@ TEST_F(Flow, filter_keeps_large_features)
 {
   write("a.off", off(cgp_test::bumpy_sphere(3)));
   ASSERT_EQ(run("flow -q a.off --steps 3 -o b.ply").code, 0);
-  ASSERT_EQ(run("flow -q a.off --steps 3 --filter-weight 0.001 --filter-order 2 -o c.ply").code, 0);
+  ASSERT_EQ(
+      run("flow -q a.off --steps 3 --filter-weight 0.001 --advanced filter-order=2 -o c.ply").code,
+      0);
   EXPECT_GT(unroundness(read_surface(path("c.ply"))), 3 * unroundness(read_surface(path("b.ply"))));
-  EXPECT_TRUE(fails(run("flow a.off --steps 3 --filter-order 2 -o d.ply"), 2, "--filter-weight"));
+  EXPECT_TRUE(
+      fails(run("flow a.off --steps 3 --advanced filter-order=2 -o d.ply"), 2, "--filter-weight"));
 }
 
 TEST_F(Flow, balance_brings_areas_back)
@@ -205,7 +208,7 @@ TEST_F(Flow, what_does_not_verify_is_written_only_by_force)
 {
   write("a.off", off(cgp_test::bumpy_sphere(2)));
   const std::string flow =
-      "flow a.off --steps 2 --every 1 -o b.ply --json b.json --max-quasi-conformal 1.0001";
+      "flow a.off --steps 2 --every 1 -o b.ply --json b.json --limit quasi_conformal=1.0001";
   EXPECT_TRUE(fails(run(flow), 1, "stopped after 0 of 2 steps: the limits of distortion"));
   EXPECT_FALSE(has("b.ply") || has("b_0001.ply") || has("b_0002.ply"));
   EXPECT_FALSE(json("b.json")["verified"]);
@@ -217,8 +220,8 @@ TEST_F(Flow, stops_at_the_last_step_that_verifies_writes_it_and_fails)
 {
   write("a.off", off(cgp_test::bumpy_sphere(3)));
   for (const std::string kind : {"", " --plain --time-step .25"}) {
-    const Program_run r =
-        run("flow a.off -o b.ply --json b.json --steps 10" + kind + " --max-quasi-conformal 1.008");
+    const Program_run r = run("flow a.off -o b.ply --json b.json --steps 10" + kind +
+                              " --limit quasi_conformal=1.008");
     EXPECT_TRUE(fails(r, 1, "the limits of distortion are reached")) << r.err;
     EXPECT_TRUE(has("b.ply"));
     const auto report = json("b.json");
@@ -238,7 +241,7 @@ TEST_F(Flow, keeps_the_exact_conformal_class)
   EXPECT_LT(exact["result"]["length_cross_ratio"]["max"], 1e-10);
   EXPECT_LT(exact["result"]["conformal_type_change"], .01);
   EXPECT_TRUE(exact["steps"][0]["faired"]);
-  ASSERT_EQ(run("flow -q a.off --steps 3 --no-fairing -o b.ply --json b.json").code, 0);
+  ASSERT_EQ(run("flow -q a.off --steps 3 --advanced no-fairing -o b.ply --json b.json").code, 0);
   EXPECT_FALSE(json("b.json")["steps"][0]["faired"]);
   ASSERT_EQ(run("flow -q a.off --steps 3 --plain -o b.ply --json b.json").code, 0);
   EXPECT_GT(json("b.json")["result"]["length_cross_ratio"]["max"], 1e-3);
@@ -247,7 +250,7 @@ TEST_F(Flow, keeps_the_exact_conformal_class)
 TEST_F(Flow, without_a_single_step_it_fails)
 {
   write("a.off", off(cgp_test::bumpy_sphere(2)));
-  EXPECT_TRUE(fails(run("flow -q a.off --plain --steps 2 --tolerance 1e-30 -o b.ply"), 1,
+  EXPECT_TRUE(fails(run("flow -q a.off --plain --steps 2 --advanced tolerance=1e-30 -o b.ply"), 1,
                     "stopped after 0 of 2 steps"));
   EXPECT_FALSE(has("b.ply"));
 }
@@ -284,7 +287,8 @@ TEST_F(Flow, nonsense_is_refused)
   for (const std::string option :
        {"--steps 0", "--steps -3", "--steps 2 --time-step 0", "--time-step 2.1",
         "--steps 2 --filter-weight -1", "--steps 2 --every 0",
-        "--steps 2 --filter-weight 1 --filter-order 4", "--steps 2 --balance much", "--steps many"})
+        "--steps 2 --filter-weight 1 --advanced filter-order=4", "--steps 2 --balance much",
+        "--steps many"})
     EXPECT_EQ(run("flow a.off -o b.ply " + option).code, 2) << option;
   EXPECT_TRUE(fails(run("flow a.off --steps 2 -o b.xyz"), 5, "b.xyz"));
 }

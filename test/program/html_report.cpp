@@ -80,7 +80,7 @@ TEST_F(Html_report, holds_the_report_and_an_array_of_each_kind)
 TEST_F(Html_report, does_not_appear_when_the_command_fails)
 {
   if (!is_built_in()) return;
-  const std::string limits = "--max-quasi-conformal 1.0000001 --html r.html";
+  const std::string limits = "--limit quasi_conformal=1.0000001 --html r.html";
   EXPECT_TRUE(fails(run("spin a.off" + spin + limits), 1, "quasi-conformal"));
   EXPECT_TRUE(fails(run("flow a.off --steps 1 -o missing/b.ply --html r.html"), 5, "missing"));
   EXPECT_FALSE(has("r.html"));

@@ -17,9 +17,9 @@ TEST_F(Memory, has_a_limit_beyond_which_the_work_ends_with_a_reason)
 #endif
   write("a.off", off(cgp_test::icosphere(6)));
   const std::string spin = "spin -q a.off --rho-expression z -o b.ply ";
-  EXPECT_TRUE(fails(run(spin + "--max-memory .1"), 6, "out of memory: more than 0.1 GiB"));
+  EXPECT_TRUE(fails(run(spin + "--advanced max-memory=.1"), 6, "out of memory: more than 0.1 GiB"));
   EXPECT_FALSE(has("b.ply"));
-  EXPECT_EQ(run(spin + "--max-memory .01").code, 2);
+  EXPECT_EQ(run(spin + "--advanced max-memory=.01").code, 2);
 }
 
 /// Threads may have no more. Temporaries of dense products and orderings do not fit.

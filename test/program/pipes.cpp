@@ -59,7 +59,7 @@ TEST_F(Closed_pipe, is_an_error_where_it_is_the_output_that_was_named)
 
 TEST_F(Closed_pipe, closed_streams_are_no_place_for_files)
 {
-  const std::string spin = program() + " spin a.off --rho-expression x --progress json ";
+  const std::string spin = program() + " spin a.off --rho-expression x --advanced progress=json ";
   EXPECT_EQ(shell(spin + "-o b.ply --json b.json >&- 2>&-").code, 0);
   EXPECT_EQ(read_json("b.json")["command"], "spin");
 }

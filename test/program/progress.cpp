@@ -131,7 +131,7 @@ TEST_F(Progress_of_program, is_json_on_stderr_of_every_long_command)
        {"spin a.off --rho-expression x -o b.ply", "flow a.off --steps 2 -o b.ply",
         "spectrum a.off --count 2", "fair c.off --region-expression x-.4 -o b.ply",
         "curve a.csv --steps 2 -o b.csv"}) {
-    const Program_run r = run(command + " --progress json");
+    const Program_run r = run(command + " --advanced progress=json");
     ASSERT_EQ(r.code, 0) << r.err;
     const std::string line = r.err.substr(0, r.err.find('\n'));
     const nlohmann::json object = nlohmann::json::parse(line);
@@ -140,9 +140,9 @@ TEST_F(Progress_of_program, is_json_on_stderr_of_every_long_command)
     EXPECT_GE(object["fraction"], 0);
     EXPECT_GE(object["seconds"], 0);
     EXPECT_EQ(run(command + " -q").err, "");
-    EXPECT_EQ(run(command + " --progress none").err.find('{'), std::string::npos);
+    EXPECT_EQ(run(command + " --advanced progress=none").err.find('{'), std::string::npos);
   }
-  EXPECT_TRUE(fails(run("flow a.off -o b.ply --progress xml"), 2, "{auto,none,json}"));
+  EXPECT_TRUE(fails(run("flow a.off -o b.ply --advanced progress=xml"), 2, "{auto,none,json}"));
 }
 
 }  // namespace cgp_test::progress_tests

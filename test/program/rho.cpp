@@ -249,8 +249,9 @@ TEST_F(Filtered_picture, has_bands_that_add_up_on_the_picture_and_on_the_surface
 TEST_F(Filtered_picture, is_painted_by_the_program)
 {
   const std::string spin = "spin -q a.off -o b.ply --projection sphere --paint gray.pgm ";
-  for (const std::string filter : {"low-pass --filter-radius 2", "high-pass", "unsharp",
-                                   "unsharp --filter-on surface --filter-amount 2"}) {
+  for (const std::string filter :
+       {"low-pass --filter-radius 2", "high-pass", "unsharp",
+        "unsharp --advanced filter-on=surface --advanced filter-amount=2"}) {
     const Program_run done = run(spin + "--filter " + filter);
     EXPECT_EQ(done.code, 0) << done.err;
   }
@@ -265,9 +266,10 @@ TEST_F(Filtered_picture, wants_options_that_go_together)
   EXPECT_TRUE(fails(run(paint + "--filter-radius 2"), 2, "--filter"));
   EXPECT_TRUE(fails(run(paint + "--filter blur"), 2, "low-pass"));
   EXPECT_TRUE(fails(run(paint + "--filter low-pass --filter-radius 0"), 2, "above 0"));
-  EXPECT_TRUE(fails(run(paint + "--filter low-pass --filter-amount 2"), 2, "unsharp only"));
+  EXPECT_TRUE(
+      fails(run(paint + "--filter low-pass --advanced filter-amount=2"), 2, "unsharp only"));
   EXPECT_TRUE(fails(run(paint + "--filter low-pass --filter-weight 2"), 2, "--filter-radius"));
-  EXPECT_TRUE(fails(run(formula + "--filter-on image"), 2, "wants a picture"));
+  EXPECT_TRUE(fails(run(formula + "--advanced filter-on=image"), 2, "wants a picture"));
   EXPECT_TRUE(fails(run(formula + "--filter-radius 2"), 2, "of pictures"));
   EXPECT_TRUE(fails(run(formula + "--on faces"), 2, "--on vertices"));
 }
@@ -275,7 +277,8 @@ TEST_F(Filtered_picture, wants_options_that_go_together)
 TEST_F(Rho, generalized_problem_wants_it_on_faces)
 {
   write("a.off", off(cgp_test::icosphere(1)));
-  const std::string spin = "spin -q a.off -o b.ply --rho-expression x --problem generalized";
+  const std::string spin =
+      "spin -q a.off -o b.ply --rho-expression x --advanced problem=generalized";
   EXPECT_TRUE(fails(run(spin), 2, "--on faces"));
   EXPECT_EQ(run(spin + " --on faces").code, 0);
 }

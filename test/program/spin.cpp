@@ -88,7 +88,7 @@ TEST_F(Spin, all_solvers_agree)
     EXPECT_EQ(read_json("r.json")["result"]["scale_control"]["weight"] > 0, rho == "3*x");
     const auto b = read_surface(path("b.ply"));
     for (const std::string solver : {"cholmod", "eigen"}) {
-      ASSERT_EQ(run(spin + "c.ply --solver " + solver).code, 0);
+      ASSERT_EQ(run(spin + "c.ply --advanced solver=" + solver).code, 0);
       const auto c = read_surface(path("c.ply"));
       for (std::size_t v = 0; v < b.points.size(); ++v)
         EXPECT_NEAR(b.points[v][0], c.points[v][0], 1e-6);
@@ -165,17 +165,17 @@ TEST_F(Spin, mollify_refuses_numbers_that_it_cannot_use_and_takes_every_solver)
   const std::string spin = "spin a.off --rho-expression x -o b.ply --mollify";
   for (const std::string number : {"=1", "=-1", "=x", "=nan"})
     EXPECT_TRUE(fails(run(spin + number), 2, "between 0 and 1")) << number;
-  const Program_run by_eigen = run(spin + " --solver eigen");
+  const Program_run by_eigen = run(spin + " --advanced solver=eigen");
   EXPECT_EQ(by_eigen.code, 0) << by_eigen.err;
 }
 
 TEST_F(Spin, mollify_is_what_to_try_where_it_was_not_tried)
 {
   write("a.off", off(cgp_test::bumpy_sphere(2)));
-  const std::string spin = "spin a.off --rho-expression x --max-quasi-conformal 1.0001 -o b.ply";
+  const std::string spin = "spin a.off --rho-expression x --limit quasi_conformal=1.0001 -o b.ply";
   EXPECT_TRUE(fails(run(spin + " --mollify=0"), 1,
                     "try: a weaker rho, --mollify for thin faces, a finer mesh"));
-  for (const std::string option : {"", " --mollify", " --solver eigen"})
+  for (const std::string option : {"", " --mollify", " --advanced solver=eigen"})
     EXPECT_TRUE(fails(run(spin + option), 1, "try: a weaker rho, a finer mesh"));
 }
 
@@ -270,7 +270,7 @@ TEST_F(Spin, result_that_does_not_verify_is_written_only_by_force)
 {
   write("a.off", off(cgp_test::icosphere(2)));
   const std::string spin =
-      "spin -q a.off --rho-expression 'x*y' -o b.ply --json b.json --max-quasi-conformal 1.0001";
+      "spin -q a.off --rho-expression 'x*y' -o b.ply --json b.json --limit quasi_conformal=1.0001";
   EXPECT_TRUE(fails(run(spin), 1, "mean quasi-conformal error is"));
   EXPECT_FALSE(has("b.ply"));
   const auto json = read_json("b.json");
@@ -278,11 +278,11 @@ TEST_F(Spin, result_that_does_not_verify_is_written_only_by_force)
   EXPECT_TRUE(json["error"].is_string());
   EXPECT_EQ(run(spin + " --force").code, 0);
   EXPECT_TRUE(has("b.ply"));
-  EXPECT_TRUE(fails(run("spin -q a.off --rho-expression 'x*y' -o c.ply --max-closure 1e-9"), 1,
+  EXPECT_TRUE(fails(run("spin -q a.off --rho-expression 'x*y' -o c.ply --limit closure=1e-9"), 1,
                     "does not close up"));
-  EXPECT_TRUE(
-      fails(run("spin -q a.off --rho-expression 'x*y' -o c.ply --tolerance 1e-30 --max-scale none"),
-            1, "did not converge"));
+  EXPECT_TRUE(fails(run("spin -q a.off --rho-expression 'x*y' -o c.ply --advanced tolerance=1e-30 "
+                        "--max-scale none"),
+                    1, "did not converge"));
 }
 
 TEST_F(Spin, every_format_is_written)

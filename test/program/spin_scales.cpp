@@ -101,7 +101,7 @@ TEST_F(Spin_scales, the_realised_change_of_curvature_is_told_and_noted_where_it_
   EXPECT_EQ(weak.err.find("the curvature has changed by"), std::string::npos);
   const Program_run bounded =
       run("spin a.off --rho-expression '6*sin(4*y+.4)' --max-scale 1.05 -o b.ply --json b.json "
-          "--min-realised 0");
+          "--limit kept_norm=0");
   ASSERT_EQ(bounded.code, 0);
   const auto poor = read_json("b.json")["result"]["realised_curvature"];
   EXPECT_LT(poor["agreement"], .5);

@@ -114,7 +114,7 @@ TEST_F(Seams, are_noted_wherever_a_surface_is_read)
   const std::string note = "8 vertices at the boundary on others; --repair merges them";
   EXPECT_NE(run("info a.off").err.find(note), std::string::npos);
   EXPECT_NE(run("split a.off -o b.off").err.find(note), std::string::npos);
-  EXPECT_TRUE(fails(run("info a.off --strict"), 4, note));
+  EXPECT_TRUE(fails(run("info a.off --advanced strict"), 4, note));
   const Program_run repaired = run("info a.off --repair");
   EXPECT_EQ(repaired.err.find(note), std::string::npos) << repaired.err;
   EXPECT_NE(repaired.err.find("8 vertices merged"), std::string::npos) << repaired.err;

@@ -50,7 +50,8 @@ TEST_F(Threads, of_the_blas_change_the_last_digits_at_most)
 #ifdef __SANITIZE_THREAD__
   GTEST_SKIP() << "the BLAS is not compiled with the sanitizer, which sees none of its waits";
 #endif
-  const std::string command = "spin ball.off --rho-expression '0.5*sin(4*y)' --solver cholmod";
+  const std::string command =
+      "spin ball.off --rho-expression '0.5*sin(4*y)' --advanced solver=cholmod";
   for (const int threads : {1, 2}) EXPECT_EQ(output(command, threads), output(command, threads));
   const auto points = [&](int threads) {
     return conformal::parse_surface(output(command, threads), "out.ply").points;

@@ -20,7 +20,7 @@ class Unsuitable : public Program {
     EXPECT_TRUE(fails(run("spin -q " + name + " --rho-expression x -o out.ply"), 4, words));
     EXPECT_FALSE(has("out.ply"));
     EXPECT_EQ(run("info " + name).code, 0);
-    EXPECT_EQ(run("info --strict " + name).code, 4);
+    EXPECT_EQ(run("info --advanced strict " + name).code, 4);
   }
 };
 
@@ -70,7 +70,7 @@ TEST_F(Unsuitable, boundary_for_commands_that_want_none)
       fails(run("harmonic disk.off"), 4,
             "a closed surface is wanted, this one has V 12, E 30, F 19, 1 boundary loop, genus 0"));
   EXPECT_TRUE(fails(run("harmonic disk.off"), 4, "3 boundary edges (first: the edge from"));
-  EXPECT_EQ(run("info --strict disk.off").code, 0);
+  EXPECT_EQ(run("info --advanced strict disk.off").code, 0);
 }
 
 TEST_F(Unsuitable, info_tells_the_boundary_loops)
@@ -90,7 +90,7 @@ TEST_F(Unsuitable, repairs_are_forbidden_by_strict)
   write("cube.obj",
         "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
         "f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n");
-  EXPECT_TRUE(fails(run("spin --strict -q cube.obj --rho-expression x -o b.ply"), 4,
+  EXPECT_TRUE(fails(run("spin --advanced strict -q cube.obj --rho-expression x -o b.ply"), 4,
                     "6 polygons triangulated"));
 }
 

@@ -28,12 +28,13 @@ class Ply_options : public program_test::Program {};
 TEST_F(Ply_options, are_for_text_and_single_precision)
 {
   write("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
-  ASSERT_EQ(run("split a.off -o b.ply --ascii --float").code, 0);
+  ASSERT_EQ(run("split a.off -o b.ply --advanced ascii --advanced float").code, 0);
   const std::string text = program_test::content(path("b_0000.ply"));
   EXPECT_EQ(text.substr(0, 38), "ply\nformat ascii 1.0\nelement vertex 3\n");
   EXPECT_NE(text.find("property float x"), std::string::npos);
   write("far.off", "OFF\n3 1 0\n1000000001 0 0\n1e9 1 0\n1e9 0 1\n3 0 1 2\n");
-  EXPECT_TRUE(program_test::fails(run("split far.off -o c.ply --float"), 5, "without --float"));
+  EXPECT_TRUE(program_test::fails(run("split far.off -o c.ply --advanced float"), 5,
+                                  "without --advanced float"));
 }
 
 }  // namespace cgp_test::write_result_tests

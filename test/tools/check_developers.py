@@ -22,7 +22,7 @@ RECIPES = {
                              r"\bKind::(free|positions|directions)|Boundary_condition::positions", "positions"),
     "A linear solver": (("include", "examples", "doc", "benchmark"), "Eigen_hermitian_solver_traits", "Eigen"),
     "A rule of the verdict": (("include", "examples"),
-                              r"Fault::collapsed|limits\.collapsed|\"collapsed_share|max-collapsed", None),
+                              r"Fault::collapsed|limits\.collapsed|\"(?:--)?collapsed_share", None),
     "A function for Python": (("examples/python",), r"\bsnap_to_conformal_class\b", None),
 }
 

@@ -33,7 +33,7 @@ inline const std::vector<Command>& commands()
       {"info", "--repair"},
       {"spin", "--rho-expression", "0.7*sin(4*y)"},
       {"spin", "--rho-expression", "0.7*sin(4*y)", "--repair"},
-      {"spin", "--rho-expression", "x", "--on", "faces", "--solver", "cholmod"},
+      {"spin", "--rho-expression", "x", "--on", "faces", "--advanced", "solver=cholmod"},
       {"spin", "--rho-expression", "0.3*x", "--boundary", "tangents"},
       {"flow", "--steps", "2"},
       {"flow", "--steps", "2", "--repair"},

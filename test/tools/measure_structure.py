@@ -2,11 +2,12 @@
 # Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 """Writes the counted columns of the tables in doc/developers.md.
 
-usage: measure_structure.py [--measure FOLDER]
+usage: measure_structure.py [--measure FOLDER | --sizes PROGRAM]
 
 A counted table stands between two comments of the page. A row that has a text of its own, as on
 what a folder contains, keeps it. With --measure it also counts what has to be compiled, in FOLDER:
-headers whose lines are executed (g++, gcov) and frames of the call stack (cmake, gdb).
+headers whose lines are executed (g++, gcov) and frames of the call stack (cmake, gdb). With --sizes
+it prints how large the libraries and the interface are; PROGRAM is `conformal` with all commands.
 """
 
 import pathlib
@@ -14,6 +15,8 @@ import re
 import sys
 
 import check_layers
+import check_public_types
+import check_reference
 import check_subcommands
 import count_frames
 import count_headers
@@ -35,7 +38,7 @@ EXAMPLES = {
     "named parameter `spectral_shift`": r"\bspectral_shift\b",
     "report field `missing_share`": r"missing_share",
     "verdict rule on `collapsed_share`":
-        r"collapsed_share|Fault::collapsed|limits\.collapsed|max-collapsed",
+        r"collapsed_share|Fault::collapsed|limits\.collapsed",
     "subcommand `split`":
         r"conformal split\b|\bsplit_command\b|\"split |commands/split\b|compare split|`split`",
     "Python function `snap_to_conformal_class`": r"\bsnap_to_conformal_class\b",
@@ -140,6 +143,19 @@ def executed(old, folder):
                     [[name, count, kept.get(name, "")] for name, count in count_headers.rows(folder)])
 
 
+def sizes(program):
+    files, lines = counted(sources.INCLUDE / file for file in sources.library(".h", ".cpp"))
+    types, aliases = check_public_types.public_types()
+    options = check_subcommands.options(program)
+    tests = sum("TEST" in text for path, text in texts("test") if path.suffix == ".cpp")
+    return table_of(["what", "number:"],
+                    [["lines below `include/`", lines], ["files below `include/`", files],
+                     ["public types", len(types) - len(aliases)],
+                     ["named parameters", len(check_reference.names())],
+                     ["options of `conformal spin`", options["spin"]],
+                     ["options of all commands", options["all"]], ["files of tests", tests]])
+
+
 COUNTED = {"library": library, "program": program, "subcommands": subcommands, "places": places}
 MEASURED = {"frames": lambda _, folder: frames(folder), "executed": executed}
 
@@ -156,8 +172,11 @@ def written(page, folder=None):
 
 
 def main():
-    if len(sys.argv) not in (1, 3) or sys.argv[1:2] not in ([], ["--measure"]):
+    if len(sys.argv) not in (1, 3) or sys.argv[1:2] not in ([], ["--measure"], ["--sizes"]):
         sys.exit(__doc__.split("usage: ")[1].splitlines()[0])
+    if sys.argv[1:2] == ["--sizes"]:
+        print(sizes(sys.argv[2]), end="")
+        return
     folder = pathlib.Path(sys.argv[2]) if len(sys.argv) == 3 else None
     GUIDE.write_text(written(GUIDE.read_text(encoding="utf-8"), folder), encoding="utf-8")
 

@@ -1,5 +1,6 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include "Command.h"
+#include "keyed_options.h"
 #include "option_groups.h"
 
 #include "conformal/curves/Curve_flows.h"
@@ -47,9 +48,9 @@ void add_options(CLI::App& command, Curve_options& curve, Common_options& common
              "whether the last point is followed by the first; detect: as the file says (Z, "
              "polygon, a last point that repeats the first), and in CSV where the gap is no longer "
              "than the longest edge");
-  add_choice(command, "--closing", curve.closing, {"exact", "least-squares"},
+  add_choice(advanced(command), "--closing", curve.closing, {"exact", "least-squares"},
              "how closed curves are kept closed: without stretching an edge, or by a little of it");
-  command
+  advanced(command)
       .add_option("--samples", curve.samples,
                   "points of each Bezier segment, and of a quarter of an ellipse")
       ->check(CLI::Range(1, 10000))

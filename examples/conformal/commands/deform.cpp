@@ -32,7 +32,7 @@ const char* const deform_about =
     "least change rho of mean curvature. The output has the vertex properties quality\n"
     "(quasi-conformal error, 1 is perfect) and rho.\n"
     "Targets beyond reach are approached as far as the surface verifies and no face is flipped;\n"
-    "--min-realised tells how much of the way is enough.\n"
+    "--limit realised_share tells how much of the way is enough.\n"
     "With a region, nothing else changes, to the bit: a formula as that of `conformal fair`, or a\n"
     "vertex property. Where it is 1 or more the surface follows the targets, where it is 0 or "
     "less\n"

@@ -1,5 +1,6 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include "Command.h"
+#include "keyed_options.h"
 #include "option_groups.h"
 
 #include "conformal/input/Expression.h"
@@ -33,7 +34,7 @@ const char* const fit_about =
     "it. SOURCE and TARGET have the same faces. The result is the nearest in the mean square\n"
     "distance of the vertices, after a similarity, and never farther than SOURCE: conformal, so\n"
     "what only shears and stretches is approached by other means, or undone. It comes no nearer\n"
-    "by wrinkles: the normals count too, see --normal-weight. A boundary takes\n"
+    "by wrinkles: the normals count too, see --advanced help. A boundary takes\n"
     "its tangents or binormals from TARGET, where that is possible. With --keep-curvature, the\n"
     "result has the curvature of TARGET, wherever that is. It has the vertex property quality\n"
     "(quasi-conformal error against the source, 1 is perfect) and the face property rho.\n"
@@ -63,7 +64,7 @@ void add_options(CLI::App& command, Fit_options& fit, Common_options& common)
       ->capture_default_str();
   command.add_flag("--keep-curvature", fit.keep_curvature,
                    "keep the curvature of the target, and do not search for the nearest surface");
-  command
+  advanced(command)
       .add_option("--normal-weight", fit.normal_weight,
                   "how much normals count beside positions; 0 comes nearest in positions, if need "
                   "be by wrinkles")

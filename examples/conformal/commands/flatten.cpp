@@ -1,5 +1,6 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include "Command.h"
+#include "keyed_options.h"
 #include "option_groups.h"
 
 #include "conformal/io/data/texture_coordinates.h"
@@ -59,7 +60,8 @@ void add_options(CLI::App& command, Flatten_options& options, Common_options& co
       ->check(CLI::NonNegativeNumber);
   command.add_flag("--planar-mesh", options.planar_mesh,
                    "write the flat mesh, and not the surface with texture coordinates alone");
-  command.add_option("--tolerance", options.tolerance, "of the spectral map")
+  advanced(command)
+      .add_option("--tolerance", options.tolerance, "of the spectral map")
       ->check(between_zero_and_one)
       ->capture_default_str();
   add_limits(command, options.limits, options.force);

@@ -1,5 +1,6 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include "Command.h"
+#include "keyed_options.h"
 #include "option_groups.h"
 
 #include "conformal/input/boundary_condition.h"
@@ -50,16 +51,17 @@ void add_options(CLI::App& command, Flow_options& flow, Common_options& common)
                   "keeps the large features; detail finer than this to the power "
                   "1/(2 order), in radii of the sphere of the same area, is smoothed")
       ->check(above_zero);
-  command.add_option("--filter-order", flow.filter_order, "sharpness of the filter, 0 to 3")
+  advanced(command)
+      .add_option("--filter-order", flow.filter_order, "sharpness of the filter, 0 to 3")
       ->check(CLI::Range(0, 3))
-      ->needs("--filter-weight")
+      ->needs(command.get_option("--filter-weight"))
       ->capture_default_str();
   command.add_flag(
       "--plain", flow.plain,
       "the flow of the thesis: surfaces drift from their conformal class by the error of each "
       "step, and are not smoothed otherwise");
-  command.add_flag("--no-fairing", flow.no_fairing,
-                   "no smoothing within the conformal class, curvature flow only");
+  advanced(command).add_flag("--no-fairing", flow.no_fairing,
+                             "no smoothing within the conformal class, curvature flow only");
   add_boundary(command, flow.boundary);
   add_mollification(command, flow.mollification,
                     "; without --plain no edge becomes longer: vertices of faces that are still "

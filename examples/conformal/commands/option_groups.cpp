@@ -1,7 +1,7 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include "option_groups.h"
 
-#include "conformal/process/text.h"
+#include "keyed_options.h"
 
 #include <cmath>
 #include <cstdlib>
@@ -17,16 +17,17 @@ void add_common(CLI::App& command, Common_options& common)
   command.add_option("--threads", common.threads, "threads of the linear algebra")
       ->check(above_zero)
       ->capture_default_str();
-  command
+  command.add_flag("-q,--quiet", common.quiet, "print nothing but errors");
+  CLI::App& seldom = advanced(command);
+  seldom
       .add_option("--max-memory", common.max_memory,
                   "GiB that the work may take, at least 0.1 (default: half of what the machine or "
                   "the container has)")
       ->check(CLI::Range(.1, 1e6));
-  command.add_flag("-q,--quiet", common.quiet, "print nothing but errors");
-  add_choice(command, "--progress", common.progress, {"auto", "none", "json"},
+  add_choice(seldom, "--progress", common.progress, {"auto", "none", "json"},
              "of long work, on stderr: auto shows it on a terminal, and elsewhere writes a line "
              "every ten seconds, unless --quiet; json writes an object per line, for programs");
-  command.add_flag("--strict", common.strict, "refuse what would be repaired with a note");
+  seldom.add_flag("--strict", common.strict, "refuse what would be repaired with a note");
 }
 
 void add_input(CLI::App& command, std::string& input)
@@ -50,9 +51,10 @@ CLI::Option* add_output(CLI::App& command, Common_options& common, const char* w
 
 CLI::Option* add_mesh_output(CLI::App& command, Common_options& common, const char* what)
 {
-  command.add_flag("--ascii", common.ascii, "write PLY as text");
-  command.add_flag("--float", common.is_single,
-                   "write the coordinates of PLY in single precision, which some programs want");
+  advanced(command).add_flag("--ascii", common.ascii, "write PLY as text");
+  advanced(command).add_flag(
+      "--float", common.is_single,
+      "write the coordinates of PLY in single precision, which some programs want");
   return add_output(command, common, what);
 }
 
@@ -70,7 +72,7 @@ void add_components(CLI::App& command, Common_options& common)
   CLI::Option* each = command.add_flag(
       "--each-component", common.each_component,
       "take a surface of several components, and work on each as if it were alone");
-  command
+  advanced(command)
       .add_flag("--keep-going", common.keep_going,
                 "where some of them fail, write the others, and those as they were; the exit code "
                 "is 1 all the same")
@@ -122,7 +124,7 @@ void add_filter(CLI::App& command, Filter_request& filter)
   add_choice(command, "--filter", filter.choice, {"none", "low-pass", "high-pass", "unsharp"},
              "keeps the large features of rho, the small ones, or lifts the small ones out");
   const auto set_on = [&filter](const std::string& word) { filter.on_image = word == "image"; };
-  command
+  advanced(command)
       .add_option_function<std::string>("--filter-on", set_on,
                                         "the picture before it is painted, or rho on the surface "
                                         "(default: the picture, if there is one)")
@@ -137,17 +139,19 @@ void add_filter(CLI::App& command, Filter_request& filter)
                   "on the surface, features larger than this to the power 1/(2 order), in radii of "
                   "the sphere of the same area, are large (default: 0.01)")
       ->check(above_zero);
-  command
+  advanced(command)
       .add_option("--filter-order", filter.order,
                   "on the surface, the sharpness of the filter, 0 to 3 (default: 1)")
       ->check(CLI::Range(0, 3));
-  command
+  advanced(command)
       .add_option("--filter-amount", filter.amount,
                   "how often the unsharp mask adds the small features (default: 1)")
       ->check(finite);
-  for (const char* const detail :
-       {"--filter-on", "--filter-radius", "--filter-weight", "--filter-order", "--filter-amount"})
-    command.get_option(detail)->needs("--filter");
+  CLI::Option* const kind = command.get_option("--filter");
+  for (const char* const detail : {"--filter-radius", "--filter-weight"})
+    command.get_option(detail)->needs(kind);
+  for (const char* const detail : {"--filter-on", "--filter-order", "--filter-amount"})
+    advanced(command).get_option(detail)->needs(kind);
 }
 
 void add_lambda(CLI::App& command, std::string& lambda)
@@ -160,7 +164,8 @@ void add_lambda(CLI::App& command, std::string& lambda)
 
 void add_solver(CLI::App& command, std::string& solver)
 {
-  command.add_option("--solver", solver, "native, cholmod (where it was built in) or eigen")
+  advanced(command)
+      .add_option("--solver", solver, "native, cholmod (where it was built in) or eigen")
       ->check(CLI::IsMember({"native", "cholmod", "eigen"}))
       ->capture_default_str();
 }
@@ -192,7 +197,7 @@ void add_boundary(CLI::App& command, Boundary_choice& boundary)
 
 void add_distance_tolerance(CLI::App& command, double& tolerance)
 {
-  command
+  advanced(command)
       .add_option("--distance-tolerance", tolerance,
                   "the search ends at this distance from the target, relative to its diagonal, and "
                   "a hundred times as many radians between normals")
@@ -203,8 +208,8 @@ void add_distance_tolerance(CLI::App& command, double& tolerance)
 
 void add_period_defect(CLI::App& command, std::optional<double>& max_period_defect)
 {
-  command
-      .add_option("--max-period-defect", max_period_defect,
+  limit(command)
+      .add_option("--period_defect", max_period_defect,
                   "largest part of the edges that may fail to close up around handles and holes; "
                   "by default a quarter of the discretisation error")
       ->check(above_zero);
@@ -212,25 +217,28 @@ void add_period_defect(CLI::App& command, std::optional<double>& max_period_defe
 
 void add_eigenvector(CLI::App& command, Common_options& common, const std::string& remark)
 {
-  command.add_option("--seed", common.seed, "of random start vectors" + remark)
+  advanced(command)
+      .add_option("--seed", common.seed, "of random start vectors" + remark)
       ->capture_default_str();
-  command.add_option("--tolerance", common.tolerance, "of the eigenvector" + remark)
+  advanced(command)
+      .add_option("--tolerance", common.tolerance, "of the eigenvector" + remark)
       ->check(between_zero_and_one)
       ->capture_default_str();
 }
 
 void add_map_limits(CLI::App& command, Verification_limits& limits, bool& force)
 {
-  command
-      .add_option("--max-quasi-conformal", limits.quasi_conformal,
+  CLI::App& bounds = limit(command);
+  bounds
+      .add_option("--quasi_conformal", limits.quasi_conformal,
                   "largest mean quasi-conformal error, over the old and over the new area")
       ->check(above_zero)
       ->capture_default_str();
-  command.add_option("--max-flipped", limits.flipped, "largest share of flipped faces")
+  bounds.add_option("--flipped_share", limits.flipped, "largest share of flipped faces")
       ->check(finite)
       ->capture_default_str();
-  command
-      .add_option("--max-collapsed", limits.collapsed,
+  bounds
+      .add_option("--collapsed_share", limits.collapsed,
                   "largest share of the area whose lengths may shrink below a tenth of the mean")
       ->check(finite)
       ->capture_default_str();
@@ -239,21 +247,23 @@ void add_map_limits(CLI::App& command, Verification_limits& limits, bool& force)
 
 void add_limits(CLI::App& command, Verification_limits& limits, bool& force)
 {
-  command.add_option("--max-closure", limits.closure, "largest closure residual")
+  CLI::App& bounds = limit(command);
+  bounds.add_option("--closure", limits.closure, "largest closure residual")
       ->check(above_zero)
       ->capture_default_str();
-  command
-      .add_option("--max-direction-error", limits.direction_error,
+  bounds
+      .add_option("--direction_error", limits.direction_error,
                   "by how many degrees directions at a boundary may be missed in the mean")
       ->check(above_zero)
       ->capture_default_str();
-  command
-      .add_option_function<double>(
-          "--min-realised", [&limits](double share) { limits.realised = limits.kept = share; },
-          "smallest share of the norm of rho that the new surface may have, where handles, "
-          "holes or the bound on lengths do not allow all")
+  bounds
+      .add_option("--realised_share", limits.realised,
+                  "smallest share of the norm of rho, where handles or holes do not allow all")
       ->check(finite)
-      ->default_str(text_of(limits.realised) + ", for the bound " + text_of(limits.kept));
+      ->capture_default_str();
+  bounds.add_option("--kept_norm", limits.kept, "likewise, where the bound on lengths does not")
+      ->check(finite)
+      ->capture_default_str();
   add_map_limits(command, limits, force);
 }
 

@@ -45,7 +45,7 @@ CLI::Option* add_mesh_output(CLI::App& command, Common_options& common,
                              const char* what = "where the result goes");
 void add_html(CLI::App& command, Common_options& common);
 
-/// --each-component, --keep-going
+/// `--each-component`, and whether to go on where one fails
 void add_components(CLI::App& command, Common_options& common);
 
 /// of commands that transform a surface: its repair, its components, the output and its page

@@ -1,5 +1,6 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include "Command.h"
+#include "keyed_options.h"
 #include "option_groups.h"
 
 #include "conformal/io/file/Temporary_file.h"
@@ -56,7 +57,7 @@ void add_options(CLI::App& command, Spectrum_options& options, Common_options& c
   command.add_option("--shift", options.shift, "those nearest to it, in 1/length")
       ->capture_default_str();
   command.add_option("--csv", options.csv, "write the eigenvalues to this file")->check(file_name);
-  command
+  advanced(command)
       .add_option("--resolution", options.resolution,
                   "eigenvalues nearer than this share of the largest are shown as one")
       ->check(CLI::NonNegativeNumber)

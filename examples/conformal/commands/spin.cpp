@@ -1,5 +1,6 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include "Command.h"
+#include "keyed_options.h"
 #include "option_groups.h"
 
 #include "conformal/input/boundary_condition.h"
@@ -56,7 +57,7 @@ void add_options(CLI::App& command, Spin_options& spin, Common_options& common)
   add_scale_control(command, spin.scales);
   add_period_defect(command, spin.max_period_defect);
   add_mollification(command, spin.mollification, tried_otherwise);
-  add_choice(command, "--problem", spin.problem, {"standard", "generalized"},
+  add_choice(advanced(command), "--problem", spin.problem, {"standard", "generalized"},
              std::string("standard, or generalized for rho on faces where that can be trusted") +
                  for_eigenvectors);
   command.add_flag("--open-handles", spin.open_handles,
@@ -95,8 +96,9 @@ void require_possible(const Surface_input& input, const Spin_options& spin)
 {
   require_boundary_to_keep(input, spin.boundary);
   if (spin.problem == Eigenproblem::generalized && !CGP::topology(input.mesh).is_closed())
-    throw unsuitable(input.file.path,
-                     "--problem generalized wants a closed surface; try: --problem standard");
+    throw unsuitable(
+        input.file.path,
+        "the generalized problem wants a closed surface; try: --advanced problem=standard");
 }
 
 std::string easier(const Spin_options& spin)
@@ -114,7 +116,7 @@ std::string easier(const Spin_options& spin)
 Spin_problem problem_of(CGP::Curvature_potential rho, const Spin_options& spin)
 {
   if (spin.problem == Eigenproblem::generalized && rho.on == CGP::Curvature_potential::On::vertices)
-    throw Failure(Exit_code::usage, "--problem generalized wants rho on faces; try: --on faces");
+    throw Failure(Exit_code::usage, "the generalized problem wants rho on faces; try: --on faces");
   Spin_problem problem;
   problem.rho = std::move(rho);
   problem.scales.bound = spin.scales.bound;

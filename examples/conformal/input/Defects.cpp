@@ -131,8 +131,8 @@ void require_untouched(const Surface_input& input)
 {
   if (!input.notes.empty())
     throw unsuitable(input.file.path, input.notes.front() +
-                                          ", which --strict forbids; try: "
-                                          "without --strict");
+                                          ", which --advanced strict forbids; try: "
+                                          "without it");
 }
 
 }  // namespace conformal

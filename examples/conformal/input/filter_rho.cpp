@@ -42,14 +42,14 @@ void require_possible_filter(const Rho_options& options)
   const bool on_surface = is_filtered_on_surface(options);
   const bool on_image = is_filtered(options) && !on_surface;
   refuse_if(filter.amount && filter.choice != Filter_choice::unsharp,
-            "--filter-amount is of --filter unsharp only");
+            "filter-amount is of --filter unsharp only");
   refuse_if(on_image && options.image.empty(),
-            "--filter-on image wants a picture; try: --filter-on surface");
+            "filter-on=image wants a picture; try: --advanced filter-on=surface");
   refuse_if(on_surface && filter.radius,
-            "--filter-radius is of pictures; try: --filter-weight, or --filter-on image");
+            "--filter-radius is of pictures; try: --filter-weight, or --advanced filter-on=image");
   refuse_if(on_image && (filter.weight || filter.order),
-            "--filter-weight and --filter-order are of filters on the surface; try: "
-            "--filter-radius, or --filter-on surface");
+            "--filter-weight and filter-order are of filters on the surface; try: "
+            "--filter-radius, or --advanced filter-on=surface");
 }
 
 CGP::Gray_image filtered(CGP::Gray_image image, const Rho_options& options)
@@ -80,7 +80,7 @@ CGP::Curvature_potential filtered(const Surface_input& input, const CGP::Curvatu
                                   const Filter_request& filter)
 {
   refuse_if(rho.on == CGP::Curvature_potential::On::faces,
-            "--filter-on surface wants rho on vertices; try: --on vertices");
+            "filter-on=surface wants rho on vertices; try: --on vertices");
   require_areas_to_filter(input);
   CGP::Filter_options options;
   options.weight = filter.weight.value_or(options.weight);

@@ -87,8 +87,9 @@ void require_written(const std::string& path, const Surface_file& meant, std::st
   for (std::size_t c = 0; c < before.size(); ++c)
     if (!(distance(*before[c], *after[c]) <= allowed))
       throw Write_error(
-          path, "a corner of triangle " + std::to_string(c / 3) + " does not fit into " +
-                    (is_single ? "single precision; try: .ply without --float" : "the file"));
+          path,
+          "a corner of triangle " + std::to_string(c / 3) + " does not fit into " +
+              (is_single ? "single precision; try: .ply without --advanced float" : "the file"));
   const std::size_t count = is_single ? distorted(before, after) : 0;
   if (count > 0)
     notes.push_back("single precision distorts " + std::to_string(count) +

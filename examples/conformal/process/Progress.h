@@ -16,7 +16,7 @@ struct Progress_state {
   int step = 0;           ///< of the stage, counted from 1; 0: it has no steps
 };
 
-/// \brief Shows progress on stderr as `--progress` says.
+/// \brief Shows progress on stderr as `--advanced progress` says.
 ///
 /// On a terminal that is a line that changes, and is erased at the end; elsewhere it is the
 /// status line, which a signal handler writes every ten seconds; as JSON, an object on a line of

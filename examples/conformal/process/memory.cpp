@@ -33,9 +33,10 @@ void limit_memory(double gibibytes)
   if (bytes >= static_cast<double>(limit.rlim_cur)) return;  // the system's own limit is lower
   limit.rlim_cur = static_cast<rlim_t>(bytes);
   if (::setrlimit(RLIMIT_DATA, &limit) != 0) return;
-  std::snprintf(reason.data(), reason.size(),
-                "out of memory: more than %.3g GiB; try: a coarser mesh, or a higher --max-memory",
-                bytes / bytes_per_gibibyte);
+  std::snprintf(
+      reason.data(), reason.size(),
+      "out of memory: more than %.3g GiB; try: a coarser mesh, or a higher --advanced max-memory",
+      bytes / bytes_per_gibibyte);
 }
 
 const char* why_memory_is_out()

@@ -6,7 +6,7 @@ namespace conformal {
 /// \brief Sets the number of threads of the library, the BLAS and OpenMP.
 ///
 /// Results of the library alone are bitwise independent of it; if the BLAS is used, for
-/// `--solver cholmod`, the last bits may depend on it.
+/// `--advanced solver=cholmod`, the last bits may depend on it.
 void set_threads(int count);
 
 }  // namespace conformal

@@ -30,7 +30,7 @@ std::string fault_of_targets(const CGP::Spin_report& spin, const Verification_li
   if (spin.cancelled || spin.reached >= limits.realised) return "";
   return "only " + text_of(100 * spin.reached, 3) +
          " % of the way to the targets lead to a surface that verifies; try: nearer targets, a "
-         "finer mesh, --weight 30, or --min-realised";
+         "finer mesh, --weight 30, or --limit realised_share";
 }
 
 }  // namespace conformal

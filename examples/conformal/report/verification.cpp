@@ -23,7 +23,7 @@ std::string fault_of_boundary(const CGP::Spin_report& report, const Verification
   return "directions at the boundary are missed by " +
          text_of(report.direction_error.mean * 180 / std::acos(-1.), 3) +
          " degrees in the mean, more than " + text_of(limits.direction_error, 3) +
-         "; try: " + easier + ", a finer mesh, or --max-direction-error";
+         "; try: " + easier + ", a finer mesh, or --limit direction_error";
 }
 
 std::string exceeds(const std::string& what, double value, double limit)
@@ -94,17 +94,17 @@ std::string objection(const CGP::Spin_report& report, const CGP::Points& positio
         return "only " + text_of(100 * report.scales.kept_norm, 3) +
                " % of the norm of rho keeps lengths within a factor of " +
                text_of(report.scales.bound, 3) +
-               "; try: a larger --max-scale, rho with smaller features, or --min-realised";
+               "; try: a larger --max-scale, rho with smaller features, or --limit kept_norm";
       return "only " + text_of(100 * report.realised_share, 3) +
              " % of the norm of rho is realised: the rest would open handles or holes; try: a "
              "weaker rho, a "
-             "finer mesh, --min-realised, or --open-handles";
+             "finer mesh, --limit realised_share, or --open-handles";
     case Fault::open:
       if (report.closure_residual <= limits.closure)
         return exceeds("the period defect", report.period_defect, report.period_limit) +
                ": handles or holes do not close up; try: " + easier + ", or a finer mesh";
       return exceeds("the closure residual", report.closure_residual, limits.closure) +
-             ": the surface does not close up; try: " + easier + ", or --max-closure";
+             ": the surface does not close up; try: " + easier + ", or --limit closure";
     case Fault::scales:
       return "lengths change by factors of " + text_of(report.scales.low, 3) + " to " +
              text_of(report.scales.high, 3) + ", beyond the bound of " +
@@ -148,15 +148,15 @@ std::string objection(const CGP::Conformality& map, const Verification_limits& l
       return exceeds(is_old ? "the mean quasi-conformal error"
                             : "the mean quasi-conformal error over the new area",
                      is_old ? mean : now, limits.quasi_conformal) +
-             "; try: " + easier + ", a finer mesh, or --max-quasi-conformal";
+             "; try: " + easier + ", a finer mesh, or --limit quasi_conformal";
     }
     case Fault::flipped:
       return exceeds("the share of flipped faces", map.flipped_share, limits.flipped) +
-             "; try: " + easier + ", a finer mesh, or --max-flipped";
+             "; try: " + easier + ", a finer mesh, or --limit flipped_share";
     case Fault::collapsed:
       return exceeds("the share of the area that has collapsed", map.scale.collapsed_share,
                      limits.collapsed) +
-             "; try: " + easier + ", or --max-collapsed";
+             "; try: " + easier + ", or --limit collapsed_share";
     case Fault::none:
       break;
   }

@@ -17,9 +17,9 @@ using Component_work = std::function<void(const Component&, Session&)>;
 /// even if some of them fail.
 ///
 /// The outcomes of components are included in that of the session, and one line is printed for
-/// each. The whole is verified if all of them are. With `--keep-going` the command goes on with
-/// those that are, if there are any, and fails in the end. \throws Failure with all components that
-/// failed and the reasons; exceptions that do not concern a single component (signals, memory)
+/// each. The whole is verified if all of them are. With `--advanced keep-going` the command goes on
+/// with those that are, if there are any, and fails in the end. \throws Failure with all components
+/// that failed and the reasons; exceptions that do not concern a single component (signals, memory)
 /// immediately
 void each_component(const Surface_input& input, Session& session, const Component_work& work);
 

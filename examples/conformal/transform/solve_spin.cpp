@@ -28,8 +28,8 @@ CGP::Spin_solvers solvers_named(const std::string& name)
 #endif
 #endif
   if (name == "native") return {};
-  throw Failure(Exit_code::usage,
-                "this program was built without the solver " + name + "; try: --solver native");
+  throw Failure(Exit_code::usage, "this program was built without the solver " + name +
+                                      "; try: --advanced solver=native");
 }
 
 CGP::Spin_transformation_options options_of(const Spin_problem& problem, const Spin_options& spin)
