@@ -18,8 +18,9 @@ namespace Conformal_geometry_processing::internal {
 /// and holes: its norm is `Exactness_constraints::period_defect()`, zero if the surface closes.
 class Period_residual : public Spin_residual {
  public:
-  /// of the square of the residual, at first: leaves defects that nobody sees
-  static constexpr double default_weight = 1e4;
+  /// of the square of the residual, at first: what it leaves, `Relaxed_spins::meet_few()` takes
+  /// off, but not in the way that shears least
+  static constexpr double default_weight = 1e6;
 
   /// \param exactness of the surface; both must outlive the object
   Period_residual(const Surface_ref& surface, const Exactness_constraints& exactness);
