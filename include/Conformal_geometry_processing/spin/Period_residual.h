@@ -20,7 +20,7 @@ class Period_residual : public Spin_residual {
  public:
   /// of the square of the residual, at first: what it leaves, `Relaxed_spins::meet_few()` takes
   /// off, but not in the way that shears least
-  static constexpr double default_weight = 1e6;
+  static constexpr double default_weight = 1e5;
 
   /// \param exactness of the surface; both must outlive the object
   Period_residual(const Surface_ref& surface, const Exactness_constraints& exactness);
