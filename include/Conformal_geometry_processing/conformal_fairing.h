@@ -128,7 +128,9 @@ Fairing_options fairing_options(const NamedParameters& np, const std::string& fu
 /// \throw Precondition_error if the mesh is not an oriented manifold triangle mesh with finite
 /// coordinates, no vertex of the region can move, a component of it has no rim, a face in or around
 /// it has area zero, or a face is not of the mesh; the message names the offending element
-/// \throw Solver_error if a factorization fails. After any exception, the mesh is unchanged.
+/// \throw Solver_error if memory does not suffice. Where a matrix cannot be factored otherwise, the
+/// fairing ends with the last surface, and the report says so. After any exception, the mesh is
+/// unchanged.
 template <class TriangleMesh, class FaceRange,
           class NamedParameters = parameters::Default_named_parameters>
 internal::Fairing_report conformal_fairing(TriangleMesh& mesh, const FaceRange& region,

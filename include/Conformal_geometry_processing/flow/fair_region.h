@@ -50,7 +50,8 @@ struct Fairing_result {
 /// \param go_further is asked before every step; false ends the fairing with the last surface
 /// \throw Precondition_error if the mesh is not a manifold with finite positions, or as
 /// `Fairing_patch`
-/// \throw Solver_error if a factorization fails
+/// \throw Solver_error if memory does not suffice; another failure ends the fairing with the last
+/// surface, see `Fairing_report::message`
 Fairing_result fair_region(const Mesh_view& mesh, const std::vector<char>& is_in_region,
                            const Fairing_options& options, const std::string& function,
                            const std::function<bool()>& go_further);

@@ -83,7 +83,8 @@ class Position_residual : public Spin_residual {
   /// `set_stiffness()`
   Eigen::VectorXd stiffness() const override;
 
-  /// of a few points
+  /// Of a few points, for which the constructor solves one Poisson equation each, and keeps |E|
+  /// numbers each
   bool is_few() const override { return m_points.size() <= most_few; }
 
   /// \param c weight of what else keeps spins from varying, as that of a `Dirac_misfit`
