@@ -21,12 +21,12 @@ endif()
 
 # Has a target (PRIVATE), or those that link it (INTERFACE), count the lines of the library that they
 # run, also where those were inlined. Threads may lose a count: all that is asked is whether it is
-# zero. The pattern stands for /Conf|/test: g++ matches it for each function of all headers, and the
+# zero. The pattern stands for /Conf|/Quat|/test: g++ matches it for each function of all headers, and the
 # alternative took it as long as all else together.
 function(cgp_count_lines target scope)
   if(CGP_COVERAGE)
     target_compile_options(${target} ${scope} --coverage -fprofile-update=single
-                           "-fprofile-filter-files=/[Ct][oe][ns][ft]")
+                           "-fprofile-filter-files=/[CQt][oue][nas][ft]")
     target_link_options(${target} ${scope} --coverage)
   endif()
 endfunction()
