@@ -85,8 +85,8 @@ TEST(Flow_report_io, prints_why_a_flow_has_stopped_and_what_it_did)
   Flow_report report;
   report.steps.resize(12);
   report.stop = Stop::energy_settled;
-  report.initial_energy = 20.5;
-  report.energy = 12.625;
+  report.initial_energy_of_faces = 20.5;
+  report.energy_of_faces = 12.625;
   report.period_defect = .03125;
   const std::string text = printed(report);
   for (const char* part : {"12; the energy has settled\n", "from 20.5 to 12.625\n",

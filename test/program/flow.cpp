@@ -3,6 +3,7 @@
 // Tests examples/conformal/report/Grid.cpp examples/conformal/transform/suitable_surface.cpp
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include "program/support.h"
+#include "support/limbs.h"
 #include "support/spheres.h"
 #include "support/thin_faces.h"
 #include "support/tori.h"
@@ -66,7 +67,7 @@ TEST_F(Flow, takes_faces_of_area_zero_with_mollify_also_on_surfaces_with_handles
     EXPECT_LT(report["result"]["energy"]["final"], report["result"]["energy"]["initial"]);
     EXPECT_LT(report["result"]["period_defect"], .02);
     EXPECT_LT(report["result"]["quasi_conformal"]["mean"], 1.05);
-    EXPECT_LT(report["result"]["length_cross_ratio"]["max"], 1e-9);
+    EXPECT_LT(report["result"]["triangulation"]["length_cross_ratio"]["max"], 1e-9);
   }
 }
 
@@ -238,13 +239,37 @@ TEST_F(Flow, keeps_the_exact_conformal_class)
   write("a.off", off(cgp_test::irregular_torus(2, 1, 24, 12)));
   ASSERT_EQ(run("flow -q a.off --steps 3 -o b.ply --json b.json").code, 0);
   const auto exact = json("b.json");
-  EXPECT_LT(exact["result"]["length_cross_ratio"]["max"], 1e-10);
+  EXPECT_LT(exact["result"]["triangulation"]["length_cross_ratio"]["max"], 1e-10);
   EXPECT_LT(exact["result"]["conformal_type_change"], .01);
   EXPECT_TRUE(exact["steps"][0]["faired"]);
   ASSERT_EQ(run("flow -q a.off --steps 3 --advanced no-fairing -o b.ply --json b.json").code, 0);
   EXPECT_FALSE(json("b.json")["steps"][0]["faired"]);
   ASSERT_EQ(run("flow -q a.off --steps 3 --plain -o b.ply --json b.json").code, 0);
   EXPECT_GT(json("b.json")["result"]["length_cross_ratio"]["max"], 1e-3);
+}
+
+// On the faces of the files, as `compare` measures them.
+TEST_F(Flow, tells_the_numbers_of_the_surface_as_written)
+{
+  write("a.off", off(cgp_test::irregular_torus(2, 1, 24, 12)));
+  ASSERT_EQ(run("flow -q a.off --steps 3 -o b.off --json b.json").code, 0);
+  ASSERT_EQ(run("compare -q a.off b.off --json c.json").code, 0);
+  const auto flow = json("b.json")["result"], seen = json("c.json")["result"];
+  for (const char* number : {"mean", "p99", "max"})
+    EXPECT_NEAR(flow["quasi_conformal"][number], seen["quasi_conformal"][number], 1e-12);
+  EXPECT_NE(flow["triangulation"]["quasi_conformal"]["max"], flow["quasi_conformal"]["max"]);
+  EXPECT_NEAR(flow["energy"]["initial"], seen["willmore_energy"]["before"], 1e-9);
+  EXPECT_NEAR(flow["energy"]["final"], seen["willmore_energy"]["after"], 1e-9);
+  EXPECT_NEAR(json("b.json")["steps"].back()["energy"], flow["energy"]["final"], 1e-3);
+}
+
+TEST_F(Flow, notes_how_much_has_become_small)
+{
+  write("a.off", off(cgp_test::dumbbell(3)));
+  const Program_run r = run("flow -q a.off --steps 20 --force -o b.off");
+  EXPECT_NE(r.err.find(" % of the area has shrunk below a tenth"), std::string::npos) << r.err;
+  write("a.off", off(cgp_test::bumpy_sphere(3)));
+  EXPECT_EQ(run("flow -q a.off --steps 3 -o b.off").err.find("shrunk"), std::string::npos);
 }
 
 TEST_F(Flow, without_a_single_step_it_fails)

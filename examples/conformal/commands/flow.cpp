@@ -12,6 +12,7 @@
 #include "conformal/transform/suitable_surface.h"
 #include "conformal/transform/write_result.h"
 
+#include <Conformal_geometry_processing/measure/distortion.h>
 #include <Conformal_geometry_processing/mesh/topology.h>
 
 namespace conformal {
@@ -20,7 +21,11 @@ namespace {
 const char* const flow_about =
     "Smooths a surface by the conformal Willmore flow: as smooth as its conformal class allows, a\n"
     "sphere where there are no handles. With a boundary that is free, or keeps its tangents, it\n"
-    "becomes a minimal surface; with its binormals kept, one of constant mean curvature.\n"
+    "becomes a minimal surface; with its binormals kept, one of constant mean curvature, as far "
+    "as\n"
+    "there is one that closes around holes: the table has the mean and the deviation. On the "
+    "faces\n"
+    "of the file no step leaves the limits.\n"
     "Area, centroid and triangle quality stay. Surfaces stay on their exact discrete conformal\n"
     "class, that of their intrinsic Delaunay triangulation, and are smoothed within it.\n"
     "The output has the vertex property quality (quasi-conformal error against the input, 1 is\n"
@@ -120,9 +125,9 @@ Evidence evidence_of(const Flow_solution& solution, const CGP::Spin_report& step
   Evidence evidence{solution.positions};
   if (steps.steps > 0) {
     evidence.spin = steps;
-    evidence.spin->conformality = report.conformality;
+    evidence.spin->conformality = report.conformality_of_faces;
   } else if (!report.steps.empty()) {
-    evidence.map = report.conformality;
+    evidence.map = report.conformality_of_faces;
   } else if (!report) {
     evidence.fault = stopped_after(report, options) + "; try: a finer mesh, or one without slivers";
   }
@@ -130,19 +135,44 @@ Evidence evidence_of(const Flow_solution& solution, const CGP::Spin_report& step
   return evidence;
 }
 
+/// what to try where a flow was stopped by what it met
+std::string easier_than(CGP::Flow_step_report::Stop stop)
+{
+  using Stop = CGP::Flow_step_report::Stop;
+  if (stop == Stop::limits_reached)
+    return "a mesh without thin faces, fewer --steps, or a larger --limit";
+  if (stop == Stop::scale_range) return "fewer --steps";
+  return "--mollify for thin faces, fewer --steps, or a finer mesh";
+}
+
+/// Conformal maps of long limbs and behind thin necks are exponential: how much has become small.
+void note_collapse(const Flow_solution& solution, const CGP::Mesh_view& mesh, Session& session)
+{
+  const double share = solution.report.conformality_of_faces.scale.collapsed_share;
+  const double noteworthy = .01;
+  if (share <= noteworthy) return;
+  Eigen::Index face = 0;
+  const double least = CGP::length_scales(mesh, solution.positions).minCoeff(&face);
+  session.note(text_of(100 * share, 3) +
+               " % of the area has shrunk below a tenth, lengths of face " + std::to_string(face) +
+               " to " + text_of(least, 2) +
+               ": limbs, and what is behind a thin neck, become small; try: fewer --steps");
+}
+
 /// A flow that was stopped by what it met has not done what was asked, though its last surface
 /// verifies: that is written, and the run has failed.
-void conclude(const Flow_solution& solution, const CGP::Spin_report& steps,
-              const Flow_options& options, Session& session)
+void conclude(const Flow_solution& solution, const CGP::Mesh_view& mesh,
+              const CGP::Spin_report& steps, const Flow_options& options, Session& session)
 {
   Verdict verdict = judge(evidence_of(solution, steps, options), options.limits, easier_than_flow);
   const bool is_good = verdict.is_verified();
   if (is_good && !solution.report.is_complete() && signal_received() == 0)
     verdict.fault = stopped_after(solution.report, options) +
-                    "; the surface after the last of them is written; try: fewer --steps, or a "
-                    "finer mesh";
+                    "; the surface after the last of them is written; try: " +
+                    easier_than(solution.report.stop);
   const On_fault write = is_good ? On_fault::fail_in_the_end : On_fault::refuse;
   session.conclude(verdict, options.force ? On_fault::force : write);
+  note_collapse(solution, mesh, session);
 }
 
 void tell(const Flow_solution& solution, const CGP::Spin_report& evidence,
@@ -172,7 +202,7 @@ Flow_solution flowed(const Surface_input& input, const Flow_options& options, Se
   if (solution.report.steps.empty()) throw_if_interrupted();
   session.end_stage("flow");
   tell(solution, watch.evidence(), input, options, session);
-  conclude(solution, watch.evidence(), options, session);
+  conclude(solution, input.mesh, watch.evidence(), options, session);
   return solution;
 }
 

@@ -91,13 +91,11 @@ void Studio_surface::deform(const std::vector<CGP::internal::Control_point>& poi
 
 void Studio_surface::flow()
 {
-  if (!m_flow) {
-    m_flow.emplace(m_mesh, single_steps(), CGP::Willmore_direction(), "studio");
-    m_flow_energy = m_flow->energy();
-  }
+  if (!m_flow) m_flow.emplace(m_mesh, single_steps(), CGP::Willmore_direction(), "studio");
   const CGP::Flow_report flow = m_flow->run();
+  if (m_flow_steps == 0) m_flow_energy = flow.initial_energy_of_faces;
   Evidence evidence{m_flow->mesh().positions()};
-  evidence.map = flow.conformality;
+  evidence.map = flow.conformality_of_faces;
   if (flow.steps.empty() && !flow.converged())
     evidence.fault = std::string("no step: ") + CGP::to_string(flow.stop);
   m_outcome = judged("flow", evidence);
@@ -105,7 +103,7 @@ void Studio_surface::flow()
   m_outcome.report.set("result/steps", m_flow_steps);
   m_outcome.report.set("result/converged", flow.converged());
   m_outcome.report.set("result/energy/initial", m_flow_energy);
-  m_outcome.report.set("result/energy/final", flow.energy);
+  m_outcome.report.set("result/energy/final", flow.energy_of_faces);
   m_outcome.report.set("result/stop", CGP::to_string(flow.stop));
   tell_conformality(flow.conformality_of_faces, m_mesh.size_of_faces(), m_outcome.report);
   m_positions = m_flow->mesh().positions();

@@ -39,7 +39,7 @@ void Flow_watch::on_iteration(const CGP::Eigensolver_progress& progress)
 void Flow_watch::on_step_end(const CGP::Flow_step_report& step, const CGP::Mesh_view& mesh)
 {
   if (!m_patience) m_patience.emplace();
-  m_energy = step.energy;
+  m_energy = step.energy_of_faces;
   m_steps = step.step;
   if (step.time_step > 0)  // otherwise the surface was smoothed only
     append(m_evidence, step.spin);

@@ -6,6 +6,7 @@
 
 #include <Conformal_geometry_processing/mesh/topology.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
+#include <Conformal_geometry_processing/operators/mean_curvature.h>
 
 #include <cmath>
 
@@ -39,7 +40,7 @@ void report_distribution(const CGP::internal::Distribution& d, const std::string
 void report_step(const CGP::Flow_step_report& step, const std::string& place, Report& report)
 {
   report.set(place + "/step", step.step);
-  report.set(place + "/energy", step.energy);
+  report.set(place + "/energy", step.energy_of_faces);
   report.set(place + "/time_step", step.time_step);
   report.set(place + "/faired", step.faired);
   report.set(place + "/length_cross_ratio", step.length_cross_ratio);
@@ -60,38 +61,74 @@ Grid step_grid(const CGP::Flow_report& report)
   Grid grid({"step", "energy/4pi", "time step", "trials", "gamma", "closure", "period defect",
              "Q of step", "Q total", "seconds"});
   for (const CGP::Flow_step_report& s : report.steps)
-    grid.add({std::to_string(s.step), text_of(s.energy / energy_of_sphere), text_of(s.time_step, 3),
-              std::to_string(s.trials), text_of(s.spin.eigenvalue, 3),
+    grid.add({std::to_string(s.step), text_of(s.energy_of_faces / energy_of_sphere),
+              text_of(s.time_step, 3), std::to_string(s.trials), text_of(s.spin.eigenvalue, 3),
               text_of(s.spin.closure_residual, 3), text_of(s.period_defect, 3),
               text_of(s.spin.conformality.quasi_conformal.mean, 5),
               text_of(s.quasi_conformal.mean, 5), text_of(s.seconds, 3)});
   return grid;
 }
 
+std::string from_to(double before, double after)
+{
+  return text_of(before / energy_of_sphere) + " to " + text_of(after / energy_of_sphere);
+}
+
+/// the mean curvature at the vertices inside, its mean and standard deviation over their areas: how
+/// near a surface with boundary is to constant mean curvature
+void tell_mean_curvature(const CGP::Mesh_view& mesh, Report& report)
+{
+  Eigen::VectorXd weights = CGP::vertex_areas(mesh);
+  for (const auto& loop : CGP::boundary_loops(mesh))
+    for (const int v : loop) weights[v] = 0;
+  if (!(weights.sum() > 0)) return;
+  weights /= weights.sum();
+  const Eigen::VectorXd H = CGP::mean_curvature(mesh);
+  const double mean = weights.dot(H);
+  const double deviation = std::sqrt(weights.dot((H.array() - mean).square().matrix()));
+  report.set("result/mean_curvature/mean", mean);
+  report.set("result/mean_curvature/deviation", deviation);
+  report.show("mean curvature (1/length), deviation",
+              text_of(mean, 4) + ", " + text_of(deviation, 3));
+}
+
 void tell_shape(const Flow_solution& solution, const CGP::Mesh_view& initial, Report& report)
 {
   const CGP::Flow_report& flow = solution.report;
-  report.set("result/energy/initial", flow.initial_energy);
-  report.set("result/energy/final", flow.energy);
-  report.show("energy / 4 pi", text_of(flow.initial_energy / energy_of_sphere) + " to " +
-                                   text_of(flow.energy / energy_of_sphere));
-  if (!CGP::topology(initial).is_sphere()) return;
-  const Radius r = radius({solution.positions, initial.corners()});
+  report.set("result/energy/initial", flow.initial_energy_of_faces);
+  report.set("result/energy/final", flow.energy_of_faces);
+  report.show("energy / 4 pi", from_to(flow.initial_energy_of_faces, flow.energy_of_faces));
+  const CGP::Mesh_view last(solution.positions, initial.corners());
+  const auto topology = CGP::topology(initial);
+  if (!topology.is_closed()) tell_mean_curvature(last, report);
+  if (!topology.is_sphere()) return;
+  const Radius r = radius(last);
   report.set("result/radius/mean", r.mean);
   report.tell("result/radius/deviation", "radius, deviation / mean", r.deviation);
 }
 
+/// what the flow has measured on the triangulation that it uses, where that is another
+void tell_triangulation(const CGP::Flow_report& flow, Report& report)
+{
+  const CGP::Conformality& map = flow.conformality;
+  if (map.quasi_conformal.max == flow.conformality_of_faces.quasi_conformal.max) return;
+  const std::string place = "result/triangulation";
+  report.set(place + "/energy/initial", flow.initial_energy);
+  report.set(place + "/energy/final", flow.energy);
+  report_distribution(map.quasi_conformal, place + "/quasi_conformal", report);
+  report.set(place + "/length_cross_ratio/rms", map.length_cross_ratio.rms);
+  report.set(place + "/length_cross_ratio/max", map.length_cross_ratio.max);
+  report.set(place + "/flipped_faces", map.flipped_faces);
+  report.show("on the intrinsic Delaunay triangulation",
+              "energy / 4 pi " + from_to(flow.initial_energy, flow.energy) + ", Q " +
+                  text_of(map.quasi_conformal.mean, 5) + ", largest " +
+                  text_of(map.quasi_conformal.max, 4) + ", " +
+                  count_of(static_cast<std::size_t>(map.flipped_faces), "flip"));
+}
+
 void tell_class(const CGP::Flow_report& flow, const CGP::Mesh_view& initial, Report& report)
 {
-  const CGP::Conformality& faces = flow.conformality_of_faces;
-  if (faces.quasi_conformal.max != flow.conformality.quasi_conformal.max) {
-    report_distribution(faces.quasi_conformal, "result/faces/quasi_conformal", report);
-    report.set("result/faces/flipped_faces", faces.flipped_faces);
-    report.show("measured on", "the intrinsic Delaunay triangulation; on the faces Q is " +
-                                   text_of(faces.quasi_conformal.mean, 5) + ", largest " +
-                                   text_of(faces.quasi_conformal.max, 4) + ", " +
-                                   count_of(static_cast<std::size_t>(faces.flipped_faces), "flip"));
-  }
+  tell_triangulation(flow, report);
   if (CGP::topology(initial).genus > 0)
     report.tell("result/conformal_type_change", "change of conformal type",
                 flow.conformal_type_change, 3);
@@ -121,7 +158,8 @@ void tell_flow(const Flow_solution& solution, const CGP::Mesh_view& initial,
   report.set("result/iterations", evidence.iterations);
   report.tell("result/closure_residual", "closure residual, worst", evidence.closure_residual, 3);
   report.set("result/period_defect", flow.period_defect);
-  tell_conformality(flow.conformality, measured_faces(evidence, initial.size_of_faces()), report);
+  tell_conformality(flow.conformality_of_faces, measured_faces(evidence, initial.size_of_faces()),
+                    report);
   tell_class(flow, initial, report);
   tell_mollification(evidence.mollification, report);
   report.set("steps", Report::Value(std::vector<double>()));

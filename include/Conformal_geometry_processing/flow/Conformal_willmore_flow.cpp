@@ -62,11 +62,13 @@ Conformal_willmore_flow::Conformal_willmore_flow(const Mesh_view& mesh, const Fl
       m_initial(on_class(mesh, options, m_function)),
       m_mesh(m_initial),
       m_next(m_initial),
+      m_faces(other_faces()),
       m_transformation(m_initial, transformation_options(m_initial, options), m_function),
       m_direction(m_transformation, std::move(direction), options, m_function),
       m_balance(m_initial, options, m_transformation, m_function),
       m_initial_energy(energy_of(m_initial)),
       m_energy(m_initial_energy),
+      m_energy_of_input(energy_of_faces(m_initial.positions())),
       m_time_step(options.time_step, (std::min)(options.min_time_step, options.time_step),
                   options.exact_conformal_class
                       ? (std::max)(options.time_step / 4,
@@ -247,9 +249,8 @@ auto Conformal_willmore_flow::move_on(double energy, const Conformality::Limits&
                                       Flow_step_report& report) -> Verdict
 {
   const Conformality map = map_to(measured(), m_next.positions());
-  const auto fault = map.fault(limits);
-  if (fault != Conformality::Fault::none) {
-    (void)reject(std::string("from the initial surface, ") + to_string(fault), report);
+  if (const std::string fault = beyond(map, limits, m_next.positions()); !fault.empty()) {
+    (void)reject(fault, report);
     return Verdict::out_of_limits;
   }
   report.quasi_conformal = map.quasi_conformal;
@@ -269,6 +270,7 @@ void Conformal_willmore_flow::accept(Flow_step_report& report)
   ++m_steps;
   report.accepted = true;
   report.energy = m_energy;
+  report.energy_of_faces = energy_of_faces(m_mesh.positions());
   report.message.clear();
   if (m_class) judge_boundary(report.spin);
   m_time_step.grow();

@@ -81,6 +81,9 @@ std::string step_fault(const Spin_report& report, bool is_turning, bool is_exact
 /// curvature. On surfaces with handles or holes, the edges must close up around them. Area and
 /// centroid are preserved.
 ///
+/// The faces of the input are judged, too: no surface is accepted that has 1 % more energy there
+/// than the input, or leaves `Flow_options::limits`.
+///
 /// Surfaces stay on the exact discrete conformal class of the initial one: each step is smoothing
 /// within the class, then a spin transformation, and ends with the nearest surface of the class,
 /// see `Flow_options::exact_conformal_class`. Where even a step of `min_time_step` would leave
@@ -176,6 +179,7 @@ class Conformal_willmore_flow {
     internal::Stopwatch watch;
     Flow_report report;
     report.initial_energy = m_energy;
+    report.initial_energy_of_faces = energy_of_faces(m_mesh.positions());
     m_visits.during([&] { visitor.on_flow_begin(m_mesh, m_energy); });
     while (report.stop == Flow_step_report::Stop::none) {
       if (static_cast<int>(report.steps.size()) >= m_options.max_steps)
@@ -210,6 +214,17 @@ class Conformal_willmore_flow {
   /// the part of the initial mesh on which distortion is measured
   const Mesh_view& measured() const { return m_well_shaped ? m_well_shaped->mesh : m_initial; }
   static internal::Well_shaped_faces well_shaped_part(const Mesh_view& mesh);
+
+  /// the faces of the input, or those well shaped, where the flow has others
+  std::optional<Mesh_view> other_faces() const;
+
+  /// on the faces of the input, at positions of the flow
+  double energy_of_faces(const Points& positions) const;
+
+  /// \brief why a surface, whose map is known, is beyond limits, or on the faces of the input
+  /// beyond `Flow_options::limits`; empty if it is not.
+  std::string beyond(const Conformality& map, const Conformality::Limits& limits,
+                     const Points& positions) const;
 
   /// how the connectivity of the class was made of the faces of the input, with mollification
   Spin_report::Mollification mollification_on_class() const;
@@ -299,13 +314,14 @@ class Conformal_willmore_flow {
   Flow_options m_options;
   Mesh_view m_input;                    // with its own faces
   Mesh_view m_initial, m_mesh, m_next;  // m_next: workspace for trials
+  std::optional<Mesh_view> m_faces;     // of the input, where the flow has others
   Spin_transformation m_transformation;
   std::optional<internal::Class_keeper> m_class;  // if the exact class is kept
   std::optional<internal::Well_shaped_faces>
       m_well_shaped;  // of the initial mesh, with mollification
   internal::Constrained_direction m_direction;
   internal::Flow_balance m_balance;
-  double m_initial_energy, m_energy;
+  double m_initial_energy, m_energy, m_energy_of_input;
   internal::Time_step m_time_step;
   Spin_report::Mollification m_mollification;  // on the exact class
   int m_steps = 0;

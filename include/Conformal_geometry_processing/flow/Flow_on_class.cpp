@@ -31,6 +31,43 @@ Mesh_view Conformal_willmore_flow::on_class(const Mesh_view& mesh, const Flow_op
   return opened;
 }
 
+std::optional<Mesh_view> Conformal_willmore_flow::other_faces() const
+{
+  if (m_initial.corners() == m_input.corners()) return std::nullopt;
+  return m_options.mollification ? well_shaped_part(m_input).mesh : m_input;
+}
+
+// Faces without area have no curvature.
+double Conformal_willmore_flow::energy_of_faces(const Points& positions) const
+{
+  if (!m_faces || m_options.mollification) return m_energy;
+  Mesh_view faces = *m_faces;
+  faces.set_positions(positions);
+  return energy_of(faces);
+}
+
+std::string Conformal_willmore_flow::beyond(const Conformality& map,
+                                            const Conformality::Limits& limits,
+                                            const Points& positions) const
+{
+  const std::string prefix = "from the initial surface, ";
+  const auto none = Conformality::Fault::none;
+  if (const auto fault = map.fault(limits); fault != none) return prefix + to_string(fault);
+  if (!m_faces) return {};
+  const Conformality of_faces = map_to(*m_faces, positions);
+  const double Q = (std::max)(of_faces.quasi_conformal.mean, of_faces.quasi_conformal_of_new_area);
+  if (const auto fault = of_faces.fault(m_options.limits); fault != none)
+    return prefix + to_string(fault) +
+           " on the faces of the input, which are not Delaunay (mean Q " + std::to_string(Q) +
+           ", " + std::to_string(of_faces.flipped_faces) + " flipped)";
+  if (m_options.mollification) return {};
+  const double error = .01;  // of the energy on such faces
+  const double rise = energy_of_faces(positions) - m_energy_of_input;
+  return rise > forbidden_rise() + error * m_energy_of_input
+             ? "the energy rises on the faces of the input, which are not Delaunay"
+             : "";
+}
+
 bool Conformal_willmore_flow::fairs() const
 {
   return m_class && m_options.fairing && m_options.backtracking && m_options.filter_weight == 0 &&
@@ -56,6 +93,7 @@ void Conformal_willmore_flow::take_step(Flow_step_report& report, const Go_furth
       report.faired = true;
       report.stop = Flow_step_report::Stop::none;
       report.energy = m_energy;
+      report.energy_of_faces = energy_of_faces(m_mesh.positions());
     }
   }
 }
@@ -80,6 +118,7 @@ void Conformal_willmore_flow::settle_for_fairing(Flow_step_report& report)
   }
   report.accepted = true;
   report.energy = m_energy;
+  report.energy_of_faces = energy_of_faces(m_mesh.positions());
   report.time_step = 0;
   const Spin_report given_up = std::exchange(report.spin, {});
   internal::add_costs(report.spin, given_up);
@@ -132,9 +171,8 @@ void Conformal_willmore_flow::finish(Flow_report& report)
   if (m_class) report.period_defect = internal::largest_period_defect(report);
   report.conformality = map_to(measured(), m_mesh.positions());
   report.conformality_of_faces =
-      m_class ? map_to(m_options.mollification ? well_shaped_part(m_input).mesh : m_input,
-                       m_mesh.positions())
-              : report.conformality;
+      m_faces ? map_to(*m_faces, m_mesh.positions()) : report.conformality;
+  report.energy_of_faces = energy_of_faces(m_mesh.positions());
   const bool is_triangulated = m_transformation.domain().is_mollified();
   if (m_steps > 0 && !is_triangulated && boundary_loops(m_mesh).empty())
     report.conformal_type_change = type_change();
@@ -158,7 +196,7 @@ void Conformal_willmore_flow::polish()
   Points f = m_mesh.positions();
   try {
     m_class->polish(f);
-    if (map_to(measured(), f).fault(m_options.limits) != Conformality::Fault::none) return;
+    if (!beyond(map_to(measured(), f), m_options.limits, f).empty()) return;
     m_transformation.set_positions(f);
   } catch (const Error&) {
     return;

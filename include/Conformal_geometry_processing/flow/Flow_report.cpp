@@ -54,9 +54,8 @@ namespace internal {
 /// the first reason why a flow is no success, as its conversion to `bool` judges
 const char* fault_of(const Flow_report& r)
 {
-  const Conformality::Fault map = r.conformality.fault({});
   if (!r.is_complete()) return to_string(r.stop);
-  if (map != Conformality::Fault::none) return to_string(map);
+  if (r.map_fault() != Conformality::Fault::none) return to_string(r.map_fault());
   return r.keeps_conformal_type() ? "none" : "the conformal type has changed";
 }
 
@@ -65,9 +64,10 @@ const char* fault_of(const Flow_report& r)
 std::ostream& operator<<(std::ostream& out, const Flow_report& r)
 {
   out << "steps                  " << r.steps.size() << "; " << to_string(r.stop)
-      << "\nenergy                 from " << r.initial_energy << " to " << r.energy << '\n';
+      << "\nenergy                 from " << r.initial_energy_of_faces << " to "
+      << r.energy_of_faces << '\n';
   if (!r.message.empty()) out << "last trial             rejected: " << r.message << '\n';
-  internal::print_conformality(out, r.conformality);
+  internal::print_conformality(out, r.conformality_of_faces);
   return out << "conformal type         changed by " << r.conformal_type_change
              << ", period defect " << r.period_defect << "\nfault                  "
              << internal::fault_of(r) << '\n';

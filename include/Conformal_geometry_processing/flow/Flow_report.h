@@ -37,6 +37,7 @@ struct [[nodiscard]] Flow_step_report {
   std::string message;     ///< why the last trial was rejected, if it was
 
   double energy_before = 0, energy = 0;  ///< of the direction; Willmore energy if it has none
+  double energy_of_faces = 0;            ///< likewise after the step, on the faces of the input
   bool faired = false;                   ///< the surface was smoothed within its conformal class
   double time_step = 0;                  ///< tau of the last trial; zero if only fairing succeeded
   int trials = 0;                        ///< how many time steps were tried
@@ -58,14 +59,18 @@ const char* to_string(Flow_step_report::Stop stop);
 /// \brief the numbers that verify a whole flow.
 struct [[nodiscard]] Flow_report {
   Flow_step_report::Stop stop = Flow_step_report::Stop::none;
-  std::string message;                  ///< why the last trial was rejected, if it was
-  std::vector<Flow_step_report> steps;  ///< the accepted ones
-  double initial_energy = 0, energy = 0;
-  Conformality conformality;  ///< of the map from the initial surface to the last one
+  std::string message;                    ///< why the last trial was rejected, if it was
+  std::vector<Flow_step_report> steps;    ///< the accepted ones
+  double initial_energy = 0, energy = 0;  ///< on the faces of the flow
+  Conformality conformality;  ///< of the map from the initial surface to the last one, likewise
 
-  /// likewise, on the faces of the input; differs on the exact conformal class, where these may be
-  /// slivers that the intrinsic Delaunay triangulation does not have
+  /// \name On the faces of the input
+  /// What a user gets: these differ on the exact conformal class, where the faces of the input may
+  /// be slivers that the intrinsic Delaunay triangulation does not have.
+  ///@{
+  double initial_energy_of_faces = 0, energy_of_faces = 0;
   Conformality conformality_of_faces;
+  ///@}
 
   /// change of the conformal type of a closed surface with handles, measured by its harmonic forms,
   /// see `internal::conformal_type_distance()`
@@ -94,12 +99,18 @@ struct [[nodiscard]] Flow_report {
   /// whether it did what was asked: it has converged, or made the requested number of steps
   bool is_complete() const { return converged() || stop == Flow_step_report::Stop::steps_done; }
 
-  /// whether it is complete, conformal from start to end, see `Conformality::fault()`, and
-  /// `keeps_conformal_type()`
+  /// which limit of a conformal map from start to end is exceeded, on the faces of the input or
+  /// those of the flow
+  Conformality::Fault map_fault() const
+  {
+    const Conformality::Fault fault = conformality_of_faces.fault({});
+    return fault != Conformality::Fault::none ? fault : conformality.fault({});
+  }
+
+  /// whether it is complete, conformal from start to end, and `keeps_conformal_type()`
   explicit operator bool() const
   {
-    return is_complete() && conformality.fault({}) == Conformality::Fault::none &&
-           keeps_conformal_type();
+    return is_complete() && map_fault() == Conformality::Fault::none && keeps_conformal_type();
   }
 };
 
