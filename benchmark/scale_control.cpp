@@ -65,6 +65,8 @@ void add(const CGP::Spin_report& report, const std::string& prefix, Record& reco
       .add(prefix + "fault", fault_of(report))
       .add(prefix + "low", report.scales.low)
       .add(prefix + "high", report.scales.high)
+      .add(prefix + "tip_low", report.scales.tip_low)
+      .add(prefix + "tip_high", report.scales.tip_high)
       .add(prefix + "Q", report.conformality.quasi_conformal.mean)
       .add(prefix + "collapsed", report.conformality.scale.collapsed_share)
       .add(prefix + "factorizations", report.factorizations)

@@ -116,11 +116,11 @@ Spin_transformation_options spin_transformation_options(const Graph_view<Triangl
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{scale_bound}
 ///     \cgalParamDescription{b > 1: lengths are multiplied by factors in [1/b, b] on 98 % of the
-///                           area, at unchanged total area; where rho would do more, the nearest
-///                           rho that does not is applied. `Spin_report::scales` tells what was
-///                           kept. A factor of 1.5 to 3 keeps limbs recognisable. Less of rho is
-///                           applied, too, where the map would be beyond `limits`. Cannot be
-///                           combined with `vertex_target_point_map`}
+///                           area, and by up to 1.5 times that at tips, at unchanged total area;
+///                           where rho would do more, the nearest rho that does not is applied.
+///                           `Spin_report::scales` tells what was kept. A factor of 1.5 to 3 keeps
+///                           limbs recognisable. Less of rho is applied, too, where the map would
+///                           be beyond `limits`. Cannot be combined with `vertex_target_point_map`}
 ///     \cgalParamType{`double`, or `std::nullopt` for no bound: rho is applied as it is}
 ///     \cgalParamDefault{2; with `vertex_scale_map` 1.25; none with `boundary_direction_map` or
 ///                       `vertex_target_point_map`}

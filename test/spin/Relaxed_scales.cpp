@@ -65,20 +65,26 @@ Mesh_view horn()
   });
 }
 
-/// the factor of lengths at the tip, for a bump of rho there
-double size_of_tip(const Mesh_view& mesh, double amplitude)
+/// what a bump of rho at the tip does to lengths
+struct Tip {
+  double size;  // the factor there
+  CGP::Spin_report::Scales scales;
+};
+
+/// \param sharpness in 1/length^2
+Tip bump_at_tip(const Mesh_view& mesh, double amplitude, double sharpness = 10)
 {
   int tip = 0;
   mesh.positions().row(1).maxCoeff(&tip);
   const Eigen::Vector3d p = mesh.position(tip);
   const auto rho = potential_on_vertices(mesh, [&](const Eigen::Vector3d& q) {
-    return amplitude * std::exp(-10 * (q - p).squaredNorm());
+    return amplitude * std::exp(-sharpness * (q - p).squaredNorm());
   });
   Dirac_system system(mesh);
   const Scale_control control{2., {}, {}};
   Relaxed_scales scales(system, rho.values, control);
   scales.run();
-  return squared_norm(scales.spins().lambda()[tip]);
+  return {squared_norm(scales.spins().lambda()[tip]), scales.scales()};
 }
 
 // Also where a horn cannot take the shape of rho.
@@ -87,11 +93,27 @@ TEST(Relaxed_scales, lets_a_tip_grow_with_rho_and_shrink_against_it)
   const Mesh_view mesh = horn();
   double last = 1;
   for (const double amplitude : {.25, .5, 1., 2., 3.}) {
-    const double size = size_of_tip(mesh, amplitude);
+    const double size = bump_at_tip(mesh, amplitude).size;
     EXPECT_GT(size, last) << amplitude;
     last = size;
   }
-  EXPECT_LT(size_of_tip(mesh, -1), 1);
+  EXPECT_LT(bump_at_tip(mesh, -1).size, 1);
+}
+
+// Of less than 1 % of the area, which the bound itself does not see.
+TEST(Relaxed_scales, bounds_tips_too)
+{
+  const Mesh_view mesh = horn();
+  double last = 1;
+  for (const double amplitude : {1., 3., 6., 12.}) {
+    const Tip tip = bump_at_tip(mesh, amplitude, 60);
+    EXPECT_LE(tip.scales.excess(), 1) << amplitude;
+    EXPECT_LE(tip.scales.tip_high, 3) << amplitude;
+    EXPECT_LT(tip.scales.high, 1.9) << amplitude;
+    EXPECT_GT(tip.scales.tip_high, last) << amplitude;
+    last = tip.scales.tip_high - .03;
+  }
+  EXPECT_GT(last, 2.9);
 }
 
 /// where the bounded transformation takes the vertices

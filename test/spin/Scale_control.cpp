@@ -62,7 +62,9 @@ TEST(Scale_control, measures_lengths_at_unchanged_area)
   const double growth = (areas.sum() + 24 * areas[0]) / areas.sum();
   EXPECT_NEAR(scales.max, 5 / std::sqrt(growth), 1e-12);
   EXPECT_NEAR(scales.min, 1 / std::sqrt(growth), 1e-12);
-  EXPECT_NEAR(scales.high, 1 / std::sqrt(growth), 1e-12);  // one vertex is less than 1 %
+  EXPECT_NEAR(scales.high, 1 / std::sqrt(growth), 1e-12);      // one vertex is less than 1 %
+  EXPECT_NEAR(scales.tip_high, 5 / std::sqrt(growth), 1e-12);  // but a tip
+  EXPECT_NEAR(scales.excess(), std::log(scales.tip_high) / std::log(3), 1e-12);
 }
 
 TEST(Scale_control, compares_rho_without_its_mean_where_that_has_no_effect)

@@ -265,10 +265,11 @@ TEST(Spin_report_io, tells_what_control_of_scale_has_kept)
 {
   CGP::Spin_report report;
   EXPECT_FALSE(contains(printed(report), "scale control"));
-  report.scales = {2, .625, 1.75, .5, 1.875, 10, .9375, .96875};
-  EXPECT_TRUE(contains(printed(report),
-                       "98 % of the area scaled by 0.625 to 1.75 with a bound of 2, 93.75 % of rho "
-                       "kept, correlation 0.96875\n"))
+  report.scales = {2, .625, 1.75, .5625, 1.875, .5, 1.9375, 10, .9375, .96875};
+  EXPECT_TRUE(contains(
+      printed(report),
+      "98 % of the area scaled by 0.625 to 1.75, tips by 0.5625 to 1.875, with a bound of 2, "
+      "93.75 % of rho kept, correlation 0.96875\n"))
       << printed(report);
 }
 

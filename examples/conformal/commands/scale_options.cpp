@@ -25,7 +25,8 @@ CLI::Option* add_max_scale(CLI::App& command, std::optional<double>& bound,
   return command
       .add_option_function<std::string>(
           "--max-scale", read,
-          "largest factor by which lengths may grow or shrink, on 98 % of the area, or none" +
+          "largest factor by which lengths may grow or shrink, on 98 % of the area, at tips 1.5 "
+          "times that; or none" +
               remark)
       ->check(CLI::Validator(is_bound, "FLOAT > 1 or none"))
       ->default_str(bound ? text_of(*bound) : "none");

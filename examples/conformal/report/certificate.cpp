@@ -102,6 +102,8 @@ void tell_scales(const CGP::Spin_report::Scales& scales, Report& report)
   report.tell("result/scale_control/low", "lengths scaled by at least (1 % of the area)",
               scales.low, 3);
   report.tell("result/scale_control/high", "lengths scaled by at most (99 %)", scales.high, 3);
+  report.set("result/scale_control/tip_low", scales.tip_low);
+  report.set("result/scale_control/tip_high", scales.tip_high);
   report.set("result/scale_control/kept_norm", scales.kept_norm);
   report.set("result/scale_control/kept_correlation", scales.kept_correlation);
   if (scales.weight > 0) {

@@ -107,7 +107,8 @@ std::string objection(const CGP::Spin_report& report, const CGP::Points& positio
              ": the surface does not close up; try: " + easier + ", or --limit closure";
     case Fault::scales:
       return "lengths change by factors of " + text_of(report.scales.low, 3) + " to " +
-             text_of(report.scales.high, 3) + ", beyond the bound of " +
+             text_of(report.scales.high, 3) + ", at tips of " + text_of(report.scales.tip_low, 3) +
+             " to " + text_of(report.scales.tip_high, 3) + ", beyond the bound of " +
              text_of(report.scales.bound, 3) + "; try: " + easier + ", or a larger --max-scale";
     case Fault::exact_class:
       return "the exact conformal class is not reached; try: " + easier +

@@ -44,8 +44,9 @@ py::dict as_dict(const CGP::Spin_report::Mollification& m)
 
 py::dict as_dict(const CGP::Spin_report::Scales& s)
 {
-  return py::dict("bound"_a = s.bound, "low"_a = s.low, "high"_a = s.high, "min"_a = s.min,
-                  "max"_a = s.max, "weight"_a = s.weight, "kept_norm"_a = s.kept_norm,
+  return py::dict("bound"_a = s.bound, "low"_a = s.low, "high"_a = s.high, "tip_low"_a = s.tip_low,
+                  "tip_high"_a = s.tip_high, "min"_a = s.min, "max"_a = s.max,
+                  "weight"_a = s.weight, "kept_norm"_a = s.kept_norm,
                   "kept_correlation"_a = s.kept_correlation);
 }
 
@@ -101,8 +102,7 @@ py::object fault_of(const CGP::Flow_report& r)
 {
   if (r) return py::none();
   if (!r.is_complete()) return py::str(reason(r.stop, r.message));
-  const CGP::Conformality::Fault fault = r.conformality.fault({});
-  if (fault != CGP::Conformality::Fault::none) return py::str(to_string(fault));
+  if (r.map_fault() != CGP::Conformality::Fault::none) return py::str(to_string(r.map_fault()));
   return py::str(r.conformal_type_change <= r.max_conformal_type_change
                      ? "the edges have failed to close up around handles and holes"
                      : "the conformal type has changed");
@@ -165,7 +165,8 @@ py::dict as_dict(const CGP::Flow_step_report& r)
   py::dict d("step"_a = r.step, "accepted"_a = r.accepted,
              "stop"_a = text_or_none(r.stop != Stop::none, to_string(r.stop)),
              "message"_a = r.message, "energy_before"_a = r.energy_before, "energy"_a = r.energy,
-             "faired"_a = r.faired, "time_step"_a = r.time_step, "trials"_a = r.trials,
+             "energy_of_faces"_a = r.energy_of_faces, "faired"_a = r.faired,
+             "time_step"_a = r.time_step, "trials"_a = r.trials,
              "direction_norm"_a = r.direction_norm, "remaining_share"_a = r.remaining_share,
              "period_defect"_a = r.period_defect, "spin"_a = as_dict(r.spin),
              "quasi_conformal"_a = as_dict(r.quasi_conformal),
@@ -177,13 +178,14 @@ py::dict as_dict(const CGP::Flow_report& r)
 {
   py::list steps;
   for (const CGP::Flow_step_report& step : r.steps) steps.append(as_dict(step));
-  return py::dict("fault"_a = fault_of(r), "stop"_a = to_string(r.stop),
-                  "converged"_a = r.converged(), "message"_a = r.message, "steps"_a = steps,
-                  "initial_energy"_a = r.initial_energy, "energy"_a = r.energy,
-                  "conformality"_a = as_dict(r.conformality),
-                  "conformality_of_faces"_a = as_dict(r.conformality_of_faces),
-                  "conformal_type_change"_a = r.conformal_type_change,
-                  "period_defect"_a = r.period_defect, "seconds"_a = r.seconds);
+  return py::dict(
+      "fault"_a = fault_of(r), "stop"_a = to_string(r.stop), "converged"_a = r.converged(),
+      "message"_a = r.message, "steps"_a = steps, "initial_energy"_a = r.initial_energy,
+      "energy"_a = r.energy, "initial_energy_of_faces"_a = r.initial_energy_of_faces,
+      "energy_of_faces"_a = r.energy_of_faces, "conformality"_a = as_dict(r.conformality),
+      "conformality_of_faces"_a = as_dict(r.conformality_of_faces),
+      "conformal_type_change"_a = r.conformal_type_change, "period_defect"_a = r.period_defect,
+      "seconds"_a = r.seconds);
 }
 
 py::dict as_dict(const CGP::Parameterization_report& r)

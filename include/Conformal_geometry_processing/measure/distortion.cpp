@@ -18,7 +18,6 @@
 namespace Conformal_geometry_processing {
 namespace internal {
 
-/// the least value with at least a share of the weight at or below it; O(n)
 double weighted_quantile(const Eigen::VectorXd& values, const Eigen::VectorXd& weights,
                          double share)
 {

@@ -16,6 +16,10 @@ struct Distribution {
   double max = 0;
 };
 
+/// the least value with at least a share of the weight at or below it; O(n)
+double weighted_quantile(const Eigen::VectorXd& values, const Eigen::VectorXd& weights,
+                         double share);
+
 }  // namespace internal
 
 /// \ingroup PkgMeasure

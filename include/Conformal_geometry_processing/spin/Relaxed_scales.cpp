@@ -80,7 +80,7 @@ Relaxed_spins::Unknown Relaxed_scales::log_weight()
 double Relaxed_scales::place_weight(const Relaxed_spins::Spins& there,
                                     const Relaxed_spins::Spins& response)
 {
-  const double aim = 1 - m_options.closeness / 2, tolerance = m_options.closeness / 8;
+  const double aim = 1 - m_room - m_options.closeness / 2, tolerance = m_options.closeness / 8;
   const double most = std::log(4.), trusted = 1;
   const auto level = [&](double t) {
     return std::log((std::max)(excess_of(there + t * response), .1) / aim);
@@ -176,9 +176,10 @@ auto Relaxed_scales::settle(const Go_further& go_further) -> End
     const bool is_settled =
         (is_met && m_gain < m_options.least_gain && m_moved < m_options.settled * m_way) ||
         end == End::no_descent;
-    const bool is_slack = !is_bounded() || (m_excess < 1 && m_weight <= m_options.least_weight);
+    const double most = 1 - m_room;
+    const bool is_slack = !is_bounded() || (m_excess < most && m_weight <= m_options.least_weight);
     if (is_settled && is_slack) return End::settled;
-    if (is_settled && m_excess <= 1 && m_excess >= 1 - m_options.closeness)
+    if (is_settled && m_excess <= most && m_excess >= most - m_options.closeness)
       return End::within_bound;
   }
   take_best();
@@ -187,7 +188,7 @@ auto Relaxed_scales::settle(const Go_further& go_further) -> End
 
 void Relaxed_scales::keep_if_within()
 {
-  if (is_bounded() && m_excess <= 1) m_best = state();
+  if (is_bounded() && m_excess <= 1 - m_room) m_best = state();
 }
 
 void Relaxed_scales::take_best()

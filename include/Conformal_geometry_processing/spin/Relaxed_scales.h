@@ -11,6 +11,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <functional>
 #include <optional>
 
@@ -76,6 +77,10 @@ class Relaxed_scales {
   /// \brief likewise with larger weights of the misfit, for edges that close up better.
   End stiffen(double factor, const Go_further& go_further = Always_go_further());
 
+  /// from now on lengths stay so far below the bound, in units of `excess()`: room for what
+  /// `meet_few()` adds
+  void leave_room(double room) { m_room = (std::max)(m_room, room); }
+
   /// see `Relaxed_spins::meet_few()`
   void meet_few(bool is_anew);
 
@@ -121,7 +126,7 @@ class Relaxed_scales {
   Relaxed_spins m_spins;
   End m_end = End::settled;
   std::optional<State> m_best;  // the last one within the bound
-  double m_weight = 0, m_excess = 0;
+  double m_weight = 0, m_excess = 0, m_room = 0;
   Relaxed_spins::Spins m_response;            // of the spins to log w, or empty
   double m_moved = 0, m_way = 0, m_gain = 0;  // of lambda in the last step and all, of the sum
   int m_steps = 0, m_iterations = 0;

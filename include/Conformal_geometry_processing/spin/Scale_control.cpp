@@ -61,6 +61,9 @@ Spin_report::Scales measured_scales(const Quaternion_vector<double>& lambda,
   scales.bound = control.bound.value_or(0);
   scales.low = std::exp(-down.p99);
   scales.high = std::exp(up.p99);
+  const double nearly_all = .999;
+  scales.tip_low = std::exp(-weighted_quantile(-u, weights, nearly_all));
+  scales.tip_high = std::exp(weighted_quantile(u, weights, nearly_all));
   scales.min = std::exp(-down.max);
   scales.max = std::exp(up.max);
   return scales;

@@ -71,7 +71,11 @@ bool Spin_report::falls_short() const
 
 double Spin_report::Scales::excess() const
 {
-  return bound > 0 ? (std::max)(std::log(high), -std::log(low)) / std::log(bound) : 0;
+  if (!(bound > 0)) return 0;
+  const double of_most = (std::max)(std::log(high), -std::log(low)) / std::log(bound);
+  const double of_tips =
+      (std::max)(std::log(tip_high), -std::log(tip_low)) / std::log(wider_at_tips * bound);
+  return (std::max)(of_most, of_tips);
 }
 
 double Spin_report::Scales::distance() const
@@ -192,9 +196,9 @@ std::ostream& operator<<(std::ostream& out, const Spin_report& r)
         << " % of the curvature of a sphere\n";
   if (r.scales.bound > 0)
     out << "scale control          98 % of the area scaled by " << r.scales.low << " to "
-        << r.scales.high << " with a bound of " << r.scales.bound << ", "
-        << 100 * r.scales.kept_norm << " % of rho kept, correlation " << r.scales.kept_correlation
-        << '\n';
+        << r.scales.high << ", tips by " << r.scales.tip_low << " to " << r.scales.tip_high
+        << ", with a bound of " << r.scales.bound << ", " << 100 * r.scales.kept_norm
+        << " % of rho kept, correlation " << r.scales.kept_correlation << '\n';
   if (r.exact_class)
     out << "exact conformal class  " << (r.exact_class->converged ? "reached" : "NOT reached")
         << ", length cross-ratios kept to " << r.exact_class->length_cross_ratio.max

@@ -87,14 +87,19 @@ struct [[nodiscard]] Spin_report : internal::Dirac_evidence {
 
   /// what control of scale did; lengths are relative to the wanted factors
   struct Scales {
-    double bound = 0;             ///< requested; 0: none
-    double low = 1, high = 1;     ///< factors of lengths, of 1 % to 99 % of the area
+    /// what tips of less than 1 % of the area may have more than the bound
+    static constexpr double wider_at_tips = 1.5;
+
+    double bound = 0;          ///< requested; 0: none
+    double low = 1, high = 1;  ///< factors of lengths, of 1 % to 99 % of the area
+    double tip_low = 1,
+           tip_high = 1;          ///< of .1 % to 99.9 %, for which the bound is 1.5 times wider
     double min = 1, max = 1;      ///< and of all of it
     double weight = 0;            ///< w of `internal::Relaxed_scales`; 0: the bound is slack
     double kept_norm = 1;         ///< norm of the realised rho relative to that of rho
     double kept_correlation = 1;  ///< between the two; on closed surfaces without their means
 
-    /// the largest log factor relative to the log of the bound, at most 1 within it; 0 without one
+    /// the largest log factor relative to the log of its bound, at most 1 within both; 0 without
     double excess() const;
 
     /// norm of the difference between the realised rho and rho, relative to that of rho

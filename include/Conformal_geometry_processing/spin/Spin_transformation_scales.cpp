@@ -120,6 +120,19 @@ struct internal::Relaxed_surface {
     for (int i = 0; i < times && periods && scales.steps() > 0; ++i) scales.meet_few(false);
   }
 
+  /// likewise; where that takes lengths beyond their bound, goes on with room for it
+  void close_within_bound(const Go_further& go_further)
+  {
+    const int most_tries = 3;
+    for (int i = 0; i <= most_tries; ++i) {
+      const double before = scales.excess();
+      close();
+      if (!(scales.excess() > 1) || i == most_tries) return;
+      scales.leave_room(scales.excess() - before);
+      if (scales.go_on(go_further) == Relaxed_scales::End::cancelled) return;
+    }
+  }
+
  private:
   Spin_residuals closing(Spin_transformation& transformation)
   {
@@ -139,7 +152,7 @@ Spin_result Spin_transformation::relaxed(const Curvature_potential& rho,
   search_options.spins.weights.factor = stiffness;
   internal::Relaxed_surface search(*this, wanted, control, search_options);
   search.scales.run(m_visits.guarded(go_further));
-  search.close();
+  search.close_within_bound(m_visits.guarded(go_further));
   Spin_result result = surface_of(search.scales.solution(), options.tolerance);
   close_up(search, options.tolerance, go_further, result);
   if (m_options.scales.bound && shear(result.report, true) > 1)
@@ -158,7 +171,7 @@ void Spin_transformation::ask_for_less(internal::Relaxed_surface& search,
   const internal::Relaxed_scales::State all = search.scales.state();
   for (double share = less; share > least; share *= less) {
     search.scales.follow(share * wanted, m_visits.guarded(go_further));
-    search.close();
+    search.close_within_bound(m_visits.guarded(go_further));
     result = surface_of(search.scales.solution(), tolerance);
     if (result.report.cancelled || shear(result.report, true) <= 1) return;
   }
@@ -179,7 +192,7 @@ void Spin_transformation::close_up(internal::Relaxed_surface& search, double tol
     if (!is_open && before <= most_shear) return;
     if (is_open) search.periods->set_weight(period_weight *= 30);
     search.scales.stiffen(is_open ? 1 : stiffening(before), m_visits.guarded(go_further));
-    search.close();
+    search.close_within_bound(m_visits.guarded(go_further));
     result = surface_of(search.scales.solution(), tolerance);
     const bool is_vain = !(present() < (1 - least_gain) * before);  // slivers, say
     if (!is_open && is_vain) return;

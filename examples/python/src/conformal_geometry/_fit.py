@@ -56,8 +56,8 @@ def nearest(V: Any, target: Any, F: Any, *, blend: float = 0., keep_curvature: b
         what of the boundary frame is taken from the target; (0, 0, 1), the binormals, can be
         realised for any
     max_scale : float > 1, optional
-        b: lengths are multiplied by factors in [1/b, b] on 98 % of the area; by default there is no
-        bound, for the lengths are those of the target
+        b: lengths are multiplied by factors in [1/b, b] on 98 % of the area, at tips 1.5
+        times that; by default there is no bound, for the lengths are those of the target
     vertex_scale : (n,) array, optional
         factors of lengths that are to come on top; keeps the curvature
     other parameters

@@ -69,10 +69,13 @@ class Mollification:
 @dataclass(frozen=True)
 class Scales:
     """What control of scale did. bound 0: none; low, high: factors of lengths of 1 % and 99 % of the
-    area; kept_norm, kept_correlation: of the realised rho with that asked for."""
+    area; tip_low, tip_high: of .1 % and 99.9 %, bounded 1.5 times as wide; kept_norm,
+    kept_correlation: of the realised rho with that asked for."""
     bound: float
     low: float
     high: float
+    tip_low: float
+    tip_high: float
     min: float
     max: float
     weight: float
@@ -192,6 +195,7 @@ class Flow_step_report:
     message: str
     energy_before: float
     energy: float
+    energy_of_faces: float
     faired: bool
     time_step: float
     trials: int
@@ -207,7 +211,8 @@ class Flow_step_report:
 @dataclass(frozen=True)
 class Flow_report(Report):
     """The numbers that verify a whole flow: why it stopped, the energies before and after (the
-    integral of H^2, 4 pi for a round sphere), how conformal it is from start to end."""
+    integral of H^2, 4 pi for a round sphere), how conformal it is from start to end; on the
+    intrinsic Delaunay triangulation, and what ends in of_faces on F."""
     fault: Optional[str]
     stop: str
     converged: bool
@@ -215,6 +220,8 @@ class Flow_report(Report):
     steps: Tuple[Flow_step_report, ...]
     initial_energy: float
     energy: float
+    initial_energy_of_faces: float
+    energy_of_faces: float
     conformality: Conformality
     conformality_of_faces: Conformality
     conformal_type_change: float

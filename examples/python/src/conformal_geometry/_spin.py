@@ -155,9 +155,10 @@ def spin_transform(V: Any, F: Any, rho: Any, *, on: Optional[str] = None,
     on : "vertices" or "faces", optional
         what rho belongs to, where its length does not tell
     max_scale : float > 1, or None
-        b: lengths are multiplied by factors in [1/b, b] on 98 % of the area; where rho would do
-        more, the nearest rho that does not is applied (``report.scales`` tells what was kept), and
-        less of it where the map would be beyond ``limits``. 1.5 to 3 keep limbs recognisable. The
+        b: lengths are multiplied by factors in [1/b, b] on 98 % of the area, at tips 1.5
+        times that; where rho would do more, the nearest rho that does not is applied
+        (``report.scales`` tells what was kept), and less of it where the map would be beyond
+        ``limits``. 1.5 to 3 keep limbs recognisable. The
         default is 2, 1.25 with vertex_scale, and no bound where the boundary has prescribed
         positions or directions. None: no bound, rho is applied as it is, and lambda is the
         eigenvector of the thesis
