@@ -130,6 +130,7 @@ TEST_F(Deform, names_the_target_that_makes_no_sense)
   is_refused(good + R"({"vertex": 0, "move": [0, 0, 0]})", 3, "same vertex as target 0");
   is_refused(good + R"({"vertex": 1.5, "to": [0, 0, 0]})", 3, "whole number");
   is_refused(good + R"({"vertex": 1, "to": [0, NaN, 0]})", 3, "is not JSON");
+  is_refused(good + R"({"vertex": 1, "to": [0, 1e999, 0]})", 3, "a number that is out of range");
   is_refused(good + R"({"vertex": 1, "to": [0, null, 0]})", 3, "not 3 numbers");
   is_refused(good + R"({"vertex": 1, "to": [0, 0]})", 3, "not 3 numbers");
   is_refused(good + R"({"box": [[50, 50, 50], [51, 51, 51]]})", 4, "box without any vertex");

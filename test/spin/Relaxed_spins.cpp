@@ -1,4 +1,4 @@
-// Tests spin/Dirac_misfit.h spin/Spin_gauge.h spin/Spin_preconditioner.h
+// Tests spin/Dirac_misfit.h spin/Spin_gauge.h
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/mesh/Delaunay_view.h>
 #include <Conformal_geometry_processing/spin/Relaxed_spins.h>

@@ -168,6 +168,8 @@ Json parse(const std::string& path)
     const std::string_view before = std::string_view(text).substr(0, error.byte);
     const auto lines = std::count(before.begin(), before.end(), '\n');
     throw Read_error(path, static_cast<std::size_t>(lines) + 1, "is not JSON");
+  } catch (const Json::out_of_range&) {
+    throw Read_error(path, 0, "has a number that is out of range");
   }
 }
 

@@ -16,13 +16,20 @@ namespace Conformal_geometry_processing {
 Eigen::MatrixXd Harmonic_basis::coefficients(const Eigen::VectorXd& w,
                                              const Eigen::MatrixXd& alpha) const
 {
+  const Eigen::MatrixXd weighted = w.asDiagonal() * alpha;
   Eigen::MatrixXd products(size(), alpha.cols());
-  for (Eigen::Index k = 0; k < alpha.cols(); ++k) {
-    const Eigen::VectorXd weighted = w.cwiseProduct(alpha.col(k));
-    for (Eigen::Index i = 0; i < products.rows(); ++i)
-      products(i, k) = one_forms.col(i).dot(weighted);
-  }
+  for (Eigen::Index i = 0; i < products.rows(); ++i)  // each form is read once
+    for (Eigen::Index k = 0; k < alpha.cols(); ++k)
+      products(i, k) = one_forms.col(i).dot(weighted.col(k));
   return products;
+}
+
+Eigen::MatrixXd Harmonic_basis::combinations(const Eigen::MatrixXd& c) const
+{
+  Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(one_forms.rows(), c.cols());
+  for (Eigen::Index i = 0; i < c.rows(); ++i)
+    for (Eigen::Index k = 0; k < c.cols(); ++k) sums.col(k) += c(i, k) * one_forms.col(i);
+  return sums;
 }
 
 namespace internal {

@@ -86,10 +86,13 @@ struct Harmonic_basis {
   /// \brief <omega_i, alpha> for the forms omega_i of the basis and the columns alpha: `size()` x
   /// k.
   ///
-  /// The harmonic part of alpha is `one_forms * coefficients(w, alpha)`; its squared norm is the
+  /// The harmonic part of alpha is `combinations(coefficients(w, alpha))`; its squared norm is the
   /// sum of the squared coefficients.
   /// \param w `cotan_weights(surface)` \param alpha |E| x k
   Eigen::MatrixXd coefficients(const Eigen::VectorXd& w, const Eigen::MatrixXd& alpha) const;
+
+  /// sums of the forms with coefficients c, `size()` x k: |E| x k
+  Eigen::MatrixXd combinations(const Eigen::MatrixXd& c) const;
 };
 
 namespace internal {

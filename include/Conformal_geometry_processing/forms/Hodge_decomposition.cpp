@@ -38,7 +38,7 @@ internal::Hodge_parts Hodge_decomposition::decompose(const Eigen::MatrixXd& omeg
   parts.potential = potential(omega);
   parts.exact = differential(m_surface, parts.potential);
   const Eigen::MatrixXd rest = omega - parts.exact;
-  parts.harmonic = m_basis.one_forms * m_basis.coefficients(m_weights, rest);
+  parts.harmonic = m_basis.combinations(m_basis.coefficients(m_weights, rest));
   parts.coexact = rest - parts.harmonic;
   return parts;
 }

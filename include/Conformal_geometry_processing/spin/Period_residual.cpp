@@ -34,7 +34,7 @@ Eigen::VectorXd Period_residual::change(const Spins& dlambda) const
 
 auto Period_residual::gradient(const Eigen::VectorXd& y) const -> Spins
 {
-  const Eigen::MatrixX3d edges = m_exactness.forms.one_forms * y.reshaped(y.size() / 3, 3);
+  const Eigen::MatrixX3d edges = m_exactness.forms.combinations(y.reshaped(y.size() / 3, 3));
   const Eigen::VectorXd weights = std::sqrt(m_weight) / m_length * m_exactness.weights;
   return edge_gradient(m_surface, m_lambda, weights.asDiagonal() * edges);
 }

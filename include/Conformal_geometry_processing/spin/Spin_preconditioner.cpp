@@ -3,6 +3,7 @@
 
 #include <Quaternionic_linear_algebra/dense/block_operators.h>
 #include <Quaternionic_linear_algebra/dense/hermitian_eigen_decomposition.h>
+#include <Quaternionic_linear_algebra/krylov/conjugate_gradients.h>
 
 #include <Eigen/Core>
 
@@ -44,6 +45,10 @@ void Spin_preconditioner::update(const Spins& lambda, const Eigen::VectorXd& rho
 {
   m_lambda = lambda;
   const bool is_new = factorize(rho, costs);
+  if (leaves_few()) {
+    m_few_changes.resize(lambda.size(), 0);
+    return;
+  }
   Vectors gradients = gradients_of(m_few, m_lambda.size());
   for (Eigen::Index k = 0; k < gradients.cols(); ++k)
     gradients.col(k) = m_gauge.projected_gradient(m_lambda, gradients.col(k));
@@ -108,14 +113,40 @@ auto Spin_preconditioner::solve(const Vectors& g) const -> Vectors
   return y;
 }
 
-// What hardly moves the values, such as points of a round sphere along it, takes no long steps.
-auto Spin_preconditioner::correction(const Eigen::VectorXd& values) const -> Spins
+bool Spin_preconditioner::leaves_few() const
 {
+  return number_of_values(m_few) > most_columns;
+}
+
+// What hardly moves the values, such as points of a round sphere along it, takes no long steps.
+auto Spin_preconditioner::correction(const Eigen::VectorXd& values, Relaxed_costs& costs) const
+    -> Spins
+{
+  if (leaves_few()) return iterated_correction(values, costs);
   const double least = 1e-9;  // of the largest
   Eigen::MatrixXd squares = m_few_products.transpose() * m_few_products;
   squares.diagonal().array() += least * squares.diagonal().maxCoeff();
   const Eigen::VectorXd c = squares.ldlt().solve(m_few_products.transpose() * values);
   return real_combination(m_few_changes, c).col(0);
+}
+
+// X^-1 G c with G^T X^-1 G c = values, by conjugate gradients.
+auto Spin_preconditioner::iterated_correction(const Eigen::VectorXd& values,
+                                              Relaxed_costs& costs) const -> Spins
+{
+  Conjugate_gradients_options options;
+  options.tolerance = 1e-2;
+  const auto change = [&](const Block<double>& c) -> Spins {
+    ++costs.solves;
+    return solve(m_gauge.projected_gradient(m_lambda, gradient_of(m_few, c))).col(0);
+  };
+  const auto product = [&](const Block<double>& c) -> Block<double> {
+    return change_of(m_few, change(c));
+  };
+  const auto same = [](const Block<double>& c) { return c; };
+  Block<double> c;
+  conjugate_gradients(product, same, Block<double>(values), c, options);
+  return change(c);
 }
 
 // S^-1 in the span of the changes, and X^-1 in what is orthogonal to it by S.

@@ -30,10 +30,16 @@ struct Relaxed_costs {
 /// has not changed much. What a large weight of the few multiplies is up to date all the same: in
 /// the span Y of the solves, the inverse is that of S = w X + G G^T with the present G, and where
 /// it is orthogonal to Y by S, that of w X (balancing).
+///
+/// These solves, and products of all with all, are worth it up to `most_columns` gradients. More of
+/// them are left to the iterations, which then have to go on for longer: their condition is that of
+/// 1 + G^T (w X)^-1 G, some hundreds for many holes.
 class Spin_preconditioner {
  public:
   using Spins = Quaternion_vector<double>;
   using Vectors = Block<Quaternion<double>>;
+
+  static constexpr Eigen::Index most_columns = 48;
 
   /// \param system its factor is replaced; it and the residuals must outlive the object
   /// \param reuse the factor is kept while lambda has moved by less, in the mean
@@ -56,10 +62,13 @@ class Spin_preconditioner {
   /// of gradients, to changes in the gauge of lambda
   Vectors apply(const Vectors& g, Relaxed_costs& costs) const;
 
+  /// whether the few residuals are too many for this, and left to the iterations
+  bool leaves_few() const;
+
   /// \brief the change of lambda that takes off so much of the values of the few residuals, at the
   /// least cost of others.
   /// \pre there are such residuals
-  Spins correction(const Eigen::VectorXd& values) const;
+  Spins correction(const Eigen::VectorXd& values, Relaxed_costs& costs) const;
 
  private:
   /// \returns whether there is a new factor
@@ -67,6 +76,7 @@ class Spin_preconditioner {
   Vectors solve(const Vectors& g) const;
   void choose_few(const Vectors& gradients, Relaxed_costs& costs);
   void adopt_few(const Vectors& gradients);
+  Spins iterated_correction(const Eigen::VectorXd& values, Relaxed_costs& costs) const;
 
   Dirac_system& m_system;
   Spin_gauge m_gauge;

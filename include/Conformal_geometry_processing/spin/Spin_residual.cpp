@@ -32,17 +32,44 @@ Spin_residuals few_of(const Spin_residuals& residuals)
   return few;
 }
 
-Block<Quaternion<double>> gradients_of(const Spin_residuals& residuals, Eigen::Index vertices)
+Eigen::Index number_of_values(const Spin_residuals& residuals)
 {
   Eigen::Index size = 0;
   for (const Spin_residual* r : residuals) size += r->values().size();
-  Block<Quaternion<double>> all(vertices, size);
-  Eigen::Index column = 0;
+  return size;
+}
+
+Eigen::VectorXd change_of(const Spin_residuals& residuals, const Spin_residual::Spins& dlambda)
+{
+  Eigen::VectorXd all(number_of_values(residuals));
+  Eigen::Index first = 0;
   for (const Spin_residual* r : residuals) {
-    const Eigen::Index n = r->values().size();
-    for (Eigen::Index k = 0; k < n; ++k)
-      all.col(column++) = r->gradient(Eigen::VectorXd::Unit(n, k));
+    const Eigen::VectorXd some = r->change(dlambda);
+    all.segment(first, some.size()) = some;
+    first += some.size();
   }
+  return all;
+}
+
+auto gradient_of(const Spin_residuals& residuals, const Eigen::VectorXd& y) -> Spin_residual::Spins
+{
+  Spin_residual::Spins sum;
+  Eigen::Index first = 0;
+  for (const Spin_residual* r : residuals) {
+    const Eigen::Index size = r->values().size();
+    const Spin_residual::Spins some = r->gradient(y.segment(first, size));
+    sum = first == 0 ? some : Spin_residual::Spins(sum + some);
+    first += size;
+  }
+  return sum;
+}
+
+Block<Quaternion<double>> gradients_of(const Spin_residuals& residuals, Eigen::Index vertices)
+{
+  const Eigen::Index size = number_of_values(residuals);
+  Block<Quaternion<double>> all(vertices, size);
+  for (Eigen::Index k = 0; k < size; ++k)
+    all.col(k) = gradient_of(residuals, Eigen::VectorXd::Unit(size, k));
   return all;
 }
 

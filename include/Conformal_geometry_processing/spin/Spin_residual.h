@@ -51,6 +51,15 @@ Eigen::VectorXd values_at(const Spin_residual::Spins& lambda, const Spin_residua
 /// those with `is_few()`
 Spin_residuals few_of(const Spin_residuals& residuals);
 
+/// of all together
+Eigen::Index number_of_values(const Spin_residuals& residuals);
+
+/// their `change()`, of one after the other
+Eigen::VectorXd change_of(const Spin_residuals& residuals, const Spin_residual::Spins& dlambda);
+
+/// the transpose: the sum of their `gradient()` of the parts of y
+Spin_residual::Spins gradient_of(const Spin_residuals& residuals, const Eigen::VectorXd& y);
+
 /// the gradients of the values with respect to the spins, |V| x number of values
 Block<Quaternion<double>> gradients_of(const Spin_residuals& residuals, Eigen::Index vertices);
 

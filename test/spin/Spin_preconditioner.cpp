@@ -1,0 +1,81 @@
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#include <Conformal_geometry_processing/spin/Period_residual.h>
+#include <Conformal_geometry_processing/spin/Spin_preconditioner.h>
+#include <Conformal_geometry_processing/spin/Spin_transformation.h>
+
+#include <gtest/gtest.h>
+
+#include "spin/relaxed_surfaces.h"
+#include "support/mesh_tools.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace cgp_test::spin_preconditioner_tests {
+
+namespace CGP = Conformal_geometry_processing;
+using CGP::internal::Period_residual;
+using CGP::internal::Spin_preconditioner;
+
+constexpr int few = 8, many = 40;  // holes: 21 and 117 periods
+
+/// a sphere without scattered faces that share no vertices
+Mesh_view sieve(int holes)
+{
+  Mesh_view mesh = icosphere(3);
+  std::vector<bool> is_used(static_cast<std::size_t>(mesh.size_of_vertices()));
+  for (int f = mesh.size_of_faces() - 1; f >= 0 && holes > 0; f -= 5) {
+    bool is_apart = true;
+    for (const int v : mesh.corners(f))
+      is_apart = is_apart && !is_used[static_cast<std::size_t>(v)];
+    if (!is_apart) continue;
+    for (const int v : mesh.corners(f)) is_used[static_cast<std::size_t>(v)] = true;
+    mesh = without_face(mesh, f);
+    --holes;
+  }
+  return mesh;
+}
+
+CGP::Spin_result bent(int holes)
+{
+  const Mesh_view mesh = sieve(holes);
+  CGP::Spin_transformation transformation(mesh);
+  return transformation.transform(CGP::Curvature_potential::on_vertices(waves_on(mesh, .5)));
+}
+
+TEST(Spin_preconditioner, takes_off_periods_of_few_and_many_holes)
+{
+  for (const int holes : {few, many}) {
+    const Mesh_view mesh = sieve(holes);
+    CGP::Spin_transformation transformation(mesh);
+    auto& system = transformation.system();
+    Period_residual periods(system.surface(), *transformation.closing());
+    Spin_preconditioner preconditioner(system, {&periods}, 10, .2);
+    Quaternion_vector<double> lambda =
+        Quaternion_vector<double>::Constant(mesh.size_of_vertices(), {1, 0, 0, 0});
+    lambda += .1 * random_quaternions(mesh.size_of_vertices(), 3);
+    periods.set_spins(lambda);
+    CGP::internal::Relaxed_costs costs;
+    preconditioner.update(lambda, Eigen::VectorXd::Zero(lambda.size()), costs);
+    EXPECT_EQ(preconditioner.leaves_few(), holes == many);
+    EXPECT_EQ(costs.block_columns > 0, holes == few);
+    const Eigen::VectorXd values = periods.values();
+    const Eigen::VectorXd taken = periods.change(preconditioner.correction(values, costs));
+    EXPECT_LT((taken - values).norm(), .1 * values.norm()) << holes;
+  }
+}
+
+TEST(Spin_preconditioner, closes_surfaces_with_many_holes)
+{
+  const CGP::Spin_report report = bent(many).report;
+  EXPECT_TRUE(report.converged);
+  EXPECT_LE(report.period_defect, report.period_limit);
+  EXPECT_LT(report.conformality.quasi_conformal.mean, 1.05);
+}
+
+TEST(Spin_preconditioner, costs_no_more_solves_for_more_holes)
+{
+  EXPECT_LT(bent(2 * many).report.solves, 1.5 * bent(many).report.solves);
+}
+
+}  // namespace cgp_test::spin_preconditioner_tests
