@@ -5,6 +5,7 @@
 
 #include "spin/boundary_tools.h"
 #include "support/random_delaunay.h"
+#include "support/weierstrass.h"
 
 namespace cgp_test::spin_transformation_boundary_positions_tests {
 
@@ -75,6 +76,33 @@ TEST(Spin_transformation_to_new_positions, flattens_the_hemisphere_within_its_bo
   const auto hemisphere = [](int n) { return cap_from_disk(disk(n), pi / 2); };
   expect_rows(rows(hemisphere, disk, -1, true), {1.06723, 1.03317, 1.01646, 1.00820},
               {3.4e-2, 1.7e-2, 8.6e-3, 4.3e-3}, 1);
+}
+
+// A ring turned inside out has spins that turn by a half along each loop, so that neither sign is
+// nearer to 1 than the other.
+TEST(Spin_transformation_to_new_positions, of_several_loops_agree_on_the_signs_of_spins)
+{
+  const Circle hole{{.1, .05}, .35}, other{{-.4, -.4}, .2};
+  for (std::uint64_t seed = 0; seed < 6; ++seed) {
+    const std::vector<double> h{.1, .05};
+    std::vector<double> errors;
+    for (const double length : h) {
+      const auto holes =
+          seed % 2 == 0 ? std::vector<Circle>{hole} : std::vector<Circle>{hole, other};
+      const Mesh_view plane = random_domain(length, seed, holes);
+      const Weierstrass_surface X = Weierstrass_surface::random(300 + seed);
+      const Mesh_view image = mapped(plane, [&](const Eigen::Vector3d& p) {
+        const Complex w = .28 / (complex_of(p) - Complex(.1, .05));
+        return X({w.real(), w.imag(), 0});
+      });
+      const CGP::Spin_result r =
+          transformed(plane, boundary_of(image), constant_potential(plane, 0));
+      EXPECT_TRUE(r.report) << seed << " " << length;
+      errors.push_back(shape_error(r.positions, image.positions()));
+    }
+    EXPECT_LT(errors.back(), 1e-3) << seed;
+    EXPECT_GT(slope(h, errors), .5) << seed;
+  }
 }
 
 TEST(Spin_transformation_to_new_positions, gives_way_where_there_is_no_conformal_surface)

@@ -62,7 +62,7 @@ internal::Reduced_basis<double>::Plane boundary_plane(const Eigen::Vector3d& U,
 /// smallest, and each loop as a whole is nearest to 1.
 ///
 /// Two quaternions of opposite sign represent the same rotation, and a smooth lambda needs
-/// consistent signs.
+/// consistent signs. Those of different loops are not compared.
 /// \returns for each loop whether the signs agree where it closes; if not, lambda would have to
 /// make a full turn somewhere, as on a surface of another spin structure
 /// \param values one for each vertex, loop after loop

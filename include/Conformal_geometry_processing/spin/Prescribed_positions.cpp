@@ -39,12 +39,54 @@ Block<Quaternion<double>> internal::Prescribed_positions::given_spins() const
   return values;
 }
 
-Quaternion_vector<double> internal::Prescribed_positions::spins(
-    const Hermitian_sparse_matrix<Quaternion<double>>& X) const
+Block<Quaternion<double>> internal::Prescribed_positions::given_spins_of_loops() const
 {
+  const auto loops = static_cast<Eigen::Index>(m_frames.loops.size());
+  Block<Quaternion<double>> values =
+      Block<Quaternion<double>>::Constant(m_surface.size_of_vertices(), loops, {});
+  std::size_t k = 0;
+  for (Eigen::Index l = 0; l < loops; ++l)
+    for (const int v : m_frames.loops[static_cast<std::size_t>(l)]) values(v, l) = m_spins[k++];
+  return values;
+}
+
+Eigen::VectorXd internal::Prescribed_positions::signs(const Eigen::MatrixXd& S)
+{
+  Eigen::VectorXd signs = Eigen::VectorXd::Zero(S.cols());
+  signs[0] = 1;
+  for (Eigen::Index k = 1; k < S.cols(); ++k) {
+    const Eigen::VectorXd slopes = S * signs;
+    Eigen::Index next = -1;
+    for (Eigen::Index l = 1; l < S.cols(); ++l)
+      if (signs[l] == 0 && (next < 0 || std::abs(slopes[l]) > std::abs(slopes[next]))) next = l;
+    signs[next] = slopes[next] > 0 ? -1 : 1;
+  }
+  return signs;
+}
+
+Quaternion_vector<double> internal::Prescribed_positions::spins(
+    const Hermitian_sparse_matrix<Quaternion<double>>& X)
+{
+  const Block<Quaternion<double>> given = given_spins_of_loops();
+  const Eigen::Index loops = given.cols();
   const Block<Quaternion<double>> zero =
-      Block<Quaternion<double>>::Constant(m_surface.size_of_vertices(), 1, {});
-  return m_lambda.solve(X, zero, given_spins()).col(0);
+      Block<Quaternion<double>>::Constant(given.rows(), loops, {});
+  const Block<Quaternion<double>> of_loops = m_lambda.solve(X, zero, given);
+  Eigen::MatrixXd energy(loops, loops);
+  for (Eigen::Index l = 0; l < loops; ++l) {
+    const Quaternion_vector<double> force = X * Quaternion_vector<double>(of_loops.col(l));
+    for (Eigen::Index k = 0; k < loops; ++k) energy(k, l) = inner_product(given.col(k), force).w;
+  }
+  const Eigen::VectorXd s = signs(energy);
+  Quaternion_vector<double> lambda = Quaternion_vector<double>::Constant(given.rows(), {});
+  auto spin = m_spins.begin();
+  for (Eigen::Index l = 0; l < loops; ++l) {
+    add_multiple(lambda, of_loops.col(l), Quaternion<double>{s[l], 0, 0, 0});
+    const auto end =
+        spin + static_cast<std::ptrdiff_t>(m_frames.loops[static_cast<std::size_t>(l)].size());
+    for (; spin != end; ++spin) *spin *= s[l];
+  }
+  return lambda;
 }
 
 double internal::Prescribed_positions::residual(

@@ -24,10 +24,11 @@ namespace Conformal_geometry_processing::internal {
 ///
 /// At the boundary lambda is known: it rotates the frame of the surface into that of the curve and
 /// scales by the ratio of lengths. Inside it minimises |(D - rho) lambda|^2, which is a linear
-/// system. The positions solve (5.5) with the boundary fixed on the curve. Curves inside the
-/// surface are treated in the same way. With a finite weight w,
-/// both minimise in addition w / R times the integral along the boundary of the squared difference
-/// from what is given, where pi R^2 is the area.
+/// system. Spins of opposite signs have the same positions, so each loop has a sign of its own, of
+/// which those with the least energy belong to the surface. The positions solve (5.5) with the
+/// boundary fixed on the curve. Curves inside the surface are treated in the same way. With a
+/// finite weight w, both minimise in addition w / R times the integral along the boundary of the
+/// squared difference from what is given, where pi R^2 is the area.
 ///
 class Prescribed_positions {
  public:
@@ -54,9 +55,10 @@ class Prescribed_positions {
   /// \throw Solver_error if the factorization fails
   void factorize(const Hermitian_sparse_matrix<Quaternion<double>>& X) { factorize(m_lambda, X); }
 
-  /// \brief lambda, |V|: the minimiser of the energy with the given values at the boundary
+  /// \brief lambda, |V|: the minimiser of the energy with the given values at the boundary, whose
+  /// signs it chooses
   /// \pre X has been factorized
-  Quaternion_vector<double> spins(const Hermitian_sparse_matrix<Quaternion<double>>& X) const;
+  Quaternion_vector<double> spins(const Hermitian_sparse_matrix<Quaternion<double>>& X);
 
   /// residual of the linear system, relative to the contribution of the boundary
   double residual(const Hermitian_sparse_matrix<Quaternion<double>>& X,
@@ -81,6 +83,14 @@ class Prescribed_positions {
 
   /// zero inside
   Block<Quaternion<double>> given_spins() const;
+
+  /// likewise, those of each loop in a column of its own
+  Block<Quaternion<double>> given_spins_of_loops() const;
+
+  /// \brief the signs of loops, one after another, of which the next is the loop that changes the
+  /// energy most
+  /// \param S the energy as a quadratic form of the signs
+  static Eigen::VectorXd signs(const Eigen::MatrixXd& S);
 
   std::vector<Quaternion<double>> spins(const Boundary_condition& condition,
                                         const std::string& function) const;
