@@ -57,6 +57,24 @@ TEST(Spin_report, objects_to_open_handles)
   EXPECT_TRUE(report);
 }
 
+TEST(Spin_report, objects_to_more_curvature_than_that_of_a_sphere_beside_rho)
+{
+  CGP::Spin_report report;
+  report.converged = true;
+  for (const double sign : {-1, 1}) {
+    report.gamma_radius = 1.99 * sign;
+    EXPECT_TRUE(report);
+    report.gamma_radius = 2.01 * sign;
+    EXPECT_EQ(report.fault(), CGP::Spin_report::Fault::curvature);
+  }
+  report.gamma_radius = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE(report);
+  CGP::Spin_report all;
+  report.gamma_radius = .5;
+  CGP::append(all, report);
+  EXPECT_EQ(all.gamma_radius, .5);
+}
+
 TEST(Spin_report, of_two_transformations_adds_all_costs)
 {
   CGP::Spin_report all, next;

@@ -79,6 +79,31 @@ TEST(Dirac_disk, has_eigenvalues_of_both_signs)
   expect_eigenvalue(-zero_of_bessel_derivative(1, 1.84118), -1.84);
 }
 
+// With binormals tilted by t, its spins are J_0(g r) and J_1(g r), with J_1(g) = tan(t / 2) J_0(g).
+TEST(Dirac_disk, between_tilted_binormals_has_a_constant_that_makes_up_for_that_of_rho)
+{
+  const double t = pi / 6;
+  const double g =
+      zero_near(.52, [t](double x) { return bessel(1, x) - std::tan(t / 2) * bessel(0, x); });
+  for (const double rho : {0., .5, 1.}) {
+    std::vector<double> errors;
+    for (const int n : {8, 16, 32}) {
+      const Mesh_view mesh = disk(n);
+      const auto tilted =
+          at_boundary(mesh, [t](const Eigen::Vector3d&, const auto& frame) -> Eigen::Vector3d {
+            return std::cos(t) * frame.col(2) + std::sin(t) * frame.col(1);
+          });
+      CGP::Spin_result r =
+          transformed(mesh, Boundary_condition::binormals(tilted), constant_potential(mesh, rho));
+      EXPECT_TRUE(r.report);
+      r.report.limits.gamma_radius = 1.2;
+      errors.push_back(r.report.gamma_radius - (-g - rho));
+      EXPECT_EQ(r.report.fault() == CGP::Spin_report::Fault::curvature, rho > .9);
+    }
+    EXPECT_LT(std::abs(errors.back()), .01);
+  }
+}
+
 TEST(Dirac_disk, becomes_the_surface_of_revolution_with_bessel_functions)
 {
   const double g = zero_of_bessel(0, 2.40483);

@@ -257,6 +257,12 @@ void add_limits(CLI::App& command, Verification_limits& limits, bool& force)
       ->check(above_zero)
       ->capture_default_str();
   bounds
+      .add_option("--gamma_radius", limits.gamma_radius,
+                  "largest modulus of the constant that prescribed binormals add to rho, times the "
+                  "radius of the disk of the same area; 2 for the sphere of this area")
+      ->check(above_zero)
+      ->capture_default_str();
+  bounds
       .add_option("--realised_share", limits.realised,
                   "smallest share of the norm of rho, where handles or holes do not allow all")
       ->check(finite)

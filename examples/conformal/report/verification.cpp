@@ -49,6 +49,7 @@ CGP::Spin_report::Limits spin_limits(const Verification_limits& limits)
   CGP::Spin_report::Limits bounds;
   bounds.closure = limits.closure;
   bounds.direction_error = limits.direction_error * std::acos(-1.) / 180;
+  bounds.gamma_radius = limits.gamma_radius;
   bounds.realised_share = limits.realised;
   bounds.kept_norm = limits.kept;
   bounds.map = {limits.quasi_conformal, limits.flipped, limits.collapsed};
@@ -89,6 +90,10 @@ std::string objection(const CGP::Spin_report& report, const CGP::Points& positio
     case Fault::boundary:
     case Fault::directions:
       return fault_of_boundary(report, limits, easier);
+    case Fault::curvature:
+      return exceeds("gamma times the radius", std::abs(report.gamma_radius), limits.gamma_radius) +
+             ": the new surface has another mean curvature than rho says; try: " + easier +
+             ", or --limit gamma_radius";
     case Fault::left_out:
       if (report.scales.kept_norm < limits.kept)
         return "only " + text_of(100 * report.scales.kept_norm, 3) +

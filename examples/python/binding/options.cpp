@@ -127,6 +127,7 @@ CGP::Spin_report::Limits limits(const py::dict& options)
   take(options, "residual", l.residual);
   take(options, "closure", l.closure);
   take(options, "direction_error", l.direction_error);
+  take(options, "gamma_radius", l.gamma_radius);
   take(options, "realised_share", l.realised_share);
   take(options, "kept_norm", l.kept_norm);
   take(options, "agreement", l.agreement);

@@ -66,12 +66,12 @@ py::dict as_dict(const CGP::Spin_report::Seconds& s)
 
 py::dict as_dict(const CGP::Spin_report::Limits& l)
 {
-  return py::dict("residual"_a = l.residual, "closure"_a = l.closure,
-                  "direction_error"_a = l.direction_error, "realised_share"_a = l.realised_share,
-                  "kept_norm"_a = l.kept_norm, "agreement"_a = l.agreement,
-                  "opposition"_a = l.opposition, "quasi_conformal"_a = l.map.quasi_conformal,
-                  "flipped_share"_a = l.map.flipped_share,
-                  "collapsed_share"_a = l.map.collapsed_share);
+  return py::dict(
+      "residual"_a = l.residual, "closure"_a = l.closure, "direction_error"_a = l.direction_error,
+      "gamma_radius"_a = l.gamma_radius, "realised_share"_a = l.realised_share,
+      "kept_norm"_a = l.kept_norm, "agreement"_a = l.agreement, "opposition"_a = l.opposition,
+      "quasi_conformal"_a = l.map.quasi_conformal, "flipped_share"_a = l.map.flipped_share,
+      "collapsed_share"_a = l.map.collapsed_share);
 }
 
 py::dict as_dict(const CGP::Parameterization_report::Seconds& s)
@@ -141,6 +141,7 @@ py::dict as_dict(const CGP::Spin_report& r)
   d["period_defect"] = r.period_defect;
   d["realised_share"] = r.realised_share;
   d["direction_error"] = mean_and_max(r.direction_error);
+  d["gamma_radius"] = r.gamma_radius;
   using Fault = CGP::Spin_report::Boundary_fault;
   d["boundary_fault"] = text_or_none(r.boundary_fault != Fault::none, to_string(r.boundary_fault));
   d["has_positions"] = r.has_positions;

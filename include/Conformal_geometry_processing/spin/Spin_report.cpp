@@ -39,6 +39,8 @@ const char* to_string(Spin_report::Fault fault)
       return "the boundary data are not realisable";
     case Fault::directions:
       return "directions at the boundary are missed";
+    case Fault::curvature:
+      return "the mean curvature is another one than rho says";
     case Fault::nothing_left:
       return "no part of rho keeps the handles closed";
     case Fault::left_out:
@@ -94,6 +96,7 @@ Spin_report::Fault Spin_report::fault() const
   const bool is_open = boundary_fault == Boundary_fault::does_not_close;  // judged by its limit
   if (boundary_fault != Boundary_fault::none && !is_open) return Fault::boundary;
   if (!(direction_error.mean <= limits.direction_error)) return Fault::directions;
+  if (!(std::abs(gamma_radius) <= limits.gamma_radius)) return Fault::curvature;
   if (!(realised_share >= limits.realised_share)) return Fault::left_out;
   if (!(scales.kept_norm >= limits.kept_norm)) return Fault::left_out;
   if (!has_positions && !(closure_residual <= limits.closure)) return Fault::open;
@@ -150,6 +153,7 @@ void append(Spin_report& all, const Spin_report& next)
   all.substeps = (std::max)(before.substeps, next.substeps);
   all.steps += next.steps;
   all.direction_error = next.direction_error;
+  all.gamma_radius = next.gamma_radius;
   all.boundary_fault = next.boundary_fault;
   internal::append(all.mollification, next.mollification);
   all.closure_residual = (std::max)(all.closure_residual, next.closure_residual);
@@ -212,6 +216,7 @@ std::ostream& operator<<(std::ostream& out, const Spin_report& r)
   if (r.direction_error.max > 0)
     out << "directions             missed by " << r.direction_error.mean << " radians in the mean, "
         << r.direction_error.max << " at most\n";
+  if (r.gamma_radius != 0) out << "gamma times the radius " << r.gamma_radius << '\n';
   if (r.position_error.max > 0)
     out << "positions              missed by " << r.position_error.mean << " in the mean, "
         << r.position_error.max << " at most\n";

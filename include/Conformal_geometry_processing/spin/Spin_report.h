@@ -64,6 +64,10 @@ struct [[nodiscard]] Spin_report : internal::Dirac_evidence {
   } direction_error;
   Boundary_fault boundary_fault = Boundary_fault::none;
 
+  /// with prescribed binormals: gamma times the radius of the disk of the same area. rho says what
+  /// the mean curvature is there, up to this constant
+  double gamma_radius = 0;
+
   /// with prescribed positions at a boundary, which no conformal surface need have: the edges need
   /// not close up either, and the distortion of the map is what counts
   bool has_positions = false;
@@ -137,6 +141,7 @@ struct [[nodiscard]] Spin_report : internal::Dirac_evidence {
     double residual = 1e-4;         ///< whatever tolerance was requested
     double closure = 0.1;           ///< of `closure_residual`
     double direction_error = 0.18;  ///< of its mean, in radians: ten degrees
+    double gamma_radius = 2;        ///< of its modulus: that of the round sphere of the same area
     double realised_share = 0.44;   ///< the least: the norm left out is .9 then
     double kept_norm = 0.1;         ///< the least of `Scales::kept_norm`
     double agreement = 0.5;         ///< of `Realised_curvature::agreement()`, see `falls_short()`
@@ -152,6 +157,7 @@ struct [[nodiscard]] Spin_report : internal::Dirac_evidence {
     not_solved,    ///< the equation
     boundary,      ///< see `boundary_fault`
     directions,    ///< those at the boundary are missed
+    curvature,     ///< the constant gamma, which prescribed binormals add to rho, is too large
     nothing_left,  ///< no part of rho keeps the handles closed
     left_out,      ///< too much of rho is left out
     open,          ///< the new edges do not close up, or not around handles and holes

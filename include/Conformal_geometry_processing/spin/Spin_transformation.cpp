@@ -2,6 +2,7 @@
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
 
 #include <Conformal_geometry_processing/operators/Curvature_potential.h>
+#include <Conformal_geometry_processing/operators/mass_matrices.h>
 #include <Conformal_geometry_processing/spin/Boundary_condition.h>
 #include <Conformal_geometry_processing/spin/Exactness_constraints.h>
 #include <Conformal_geometry_processing/spin/Poisson_reconstruction.h>
@@ -14,6 +15,7 @@
 
 #include <Eigen/Core>
 
+#include <cmath>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -261,6 +263,10 @@ void Spin_transformation::judge_boundary(const Points& f, Spin_report& report) c
     const Eigen::VectorXd errors = domain().unit() * positions->errors(f);
     report.has_positions = true;
     report.position_error = {errors.mean(), errors.maxCoeff()};
+  }
+  if (turns_directions() && dirac.is_self_adjoint()) {
+    const double radius = std::sqrt(face_areas(dirac.surface()).sum() / std::acos(-1.));
+    report.gamma_radius = report.eigenvalue * domain().unit() * radius;
   }
   const bool is_misfit = dirac.directions() && !dirac.is_self_adjoint();
   const double misfit = report.is_relaxed ? report.dirac_residual : report.eigenvalue;

@@ -126,6 +126,7 @@ class Limits:
     residual: float
     closure: float
     direction_error: float
+    gamma_radius: float
     realised_share: float
     kept_norm: float
     agreement: float
@@ -171,6 +172,7 @@ class Spin_report(Report):
     period_defect: float
     realised_share: float
     direction_error: Mean_and_max
+    gamma_radius: float
     boundary_fault: Optional[str]
     has_positions: bool
     position_error: Mean_and_max
