@@ -152,6 +152,36 @@ TEST_F(Boundary, directions_that_are_missed_have_a_limit)
   EXPECT_EQ(run(tilt + " -q --limit direction_error=1 --force").code, 0);
 }
 
+TEST_F(Boundary, binormals_do_not_realise_any_constant)
+{
+  write("a.off", off(disk(10)));
+  const std::string tilt = "boundary a.off --binormal-tilt 30 -o b.ply -q --rho-expression 1";
+  EXPECT_EQ(run(tilt).code, 0);
+  EXPECT_TRUE(fails(run(tilt + " --limit gamma_radius=1"), 1, "gamma times the radius is"));
+}
+
+TEST_F(Boundary, positions_that_no_surface_has_are_told)
+{
+  const auto mesh = disk(10);
+  write("a.off", off(mesh));
+  write("ellipse.off", off(cgp_test::mapped(mesh, [](const Eigen::Vector3d& p) -> Eigen::Vector3d {
+          return {1.3 * p.x(), p.y(), 0};
+        })));
+  write("turned.off", off(cgp_test::mapped(mesh, [](const Eigen::Vector3d& p) -> Eigen::Vector3d {
+          return {0, 2 * p.x(), 2 * p.y()};
+        })));
+  const std::string words = "no conformal surface has these positions";
+  const Program_run gives =
+      run("boundary a.off --positions-from ellipse.off -o b.ply --json b.json");
+  EXPECT_EQ(gives.code, 0);
+  EXPECT_NE(gives.err.find(words), std::string::npos) << gives.err;
+  const auto result = json("b.json")["result"];
+  EXPECT_EQ(result["boundary"]["gives_way"]["quasi_conformal"], result["quasi_conformal"]["max"]);
+  EXPECT_GT(result["quasi_conformal"]["max"], 1.3);  // the least of any map onto the ellipse
+  const Program_run good = run("boundary a.off --positions-from turned.off -o b.ply");
+  EXPECT_EQ(good.err.find(words), std::string::npos) << good.err;
+}
+
 TEST_F(Boundary, several_loops_are_told_apart)
 {
   const auto mesh = cgp_test::annulus(0.4, 1, 60, 10);

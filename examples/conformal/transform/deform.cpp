@@ -8,8 +8,39 @@
 #include "conformal/report/boundary_report.h"
 #include "conformal/report/certificate.h"
 
+#include <Conformal_geometry_processing/measure/distortion.h>
+#include <Conformal_geometry_processing/measure/energies.h>
+#include <Conformal_geometry_processing/mesh/Surface_ref.h>
+
+#include <cmath>
+#include <string>
+
 namespace conformal {
 namespace {
+
+/// \brief Where no conformal surface has prescribed positions, which is no fault: it gives way.
+///
+/// With positions that one has, the closure residual is at most a quarter of the edge length by the
+/// radius.
+void note_what_gives_way(const Surface_input& input, const Spin_solution& solution,
+                         Session& session)
+{
+  if (!solution.report.has_positions || solution.positions.cols() == 0) return;
+  const double radius = std::sqrt(CGP::total_area(input.mesh) / std::acos(-1.));
+  const double explained = CGP::mean_edge_length(input.mesh) / (3 * radius);
+  if (solution.report.closure_residual <= explained) return;
+  Eigen::Index face = 0;
+  const double most = CGP::quasi_conformal_errors(input.mesh, solution.positions).maxCoeff(&face);
+  const std::string vertex = name_of_vertex(input, input.mesh.corners(static_cast<int>(face))[0]);
+  session.report().set("result/boundary/gives_way/vertex", vertex.c_str());
+  session.report().set("result/boundary/gives_way/quasi_conformal", most);
+  session.note(
+      "no conformal surface has these positions, or the mesh is too coarse for it: the "
+      "surface gives way by " +
+      text_of(100 * solution.report.closure_residual, 3) + " % of the edges, most of all at " +
+      vertex + ", where the quasi-conformal error is " + text_of(most, 3) +
+      "; try: --position-weight 10, or a finer mesh");
+}
 
 /// Where a good result is of another problem than that which was posed.
 void note_departures(const Spin_solution& solution, Session& session)
@@ -66,6 +97,7 @@ Spin_solution deform(const Surface_input& input, const Spin_problem& problem,
   Spin_solution solution = solve_twice(input.mesh, problem, options, session);
   session.begin_stage();
   tell_solution(input, problem.boundary, solution.report, session.outcome());
+  note_what_gives_way(input, solution, session);
   conclude(solution, options,
            easier_by_amplitude(input, problem, options, solution, easier, session), session,
            session.input());
