@@ -120,8 +120,14 @@ TEST_F(Flatten_closed, keeps_the_mesh_and_gives_corners_texture_coordinates)
   const auto texture = conformal::texture_coordinates(after);
   ASSERT_EQ(texture.index.size(), after.polygons.corners.size());
   EXPECT_FALSE(conformal::vertex_values(after, texture));  // there is a seam
-  ASSERT_EQ(run("flatten a.off --cut --planar-mesh -o c.ply").code, 0);
-  EXPECT_GT(file("c.ply").points.size(), before.points.size());
+  ASSERT_EQ(run("flatten a.off --cut --planar-mesh -o c.ply --json c.json").code, 0);
+  const std::size_t vertices = file("c.ply").points.size();
+  EXPECT_GT(vertices, before.points.size());
+  const auto before_cuts = json("c.json")["result"]["vertex_before_cuts"];
+  const auto flat = file("c.ply").polygons.corners;
+  ASSERT_EQ(flat.size(), before.polygons.corners.size());
+  for (std::size_t c = 0; c < flat.size(); ++c)
+    EXPECT_EQ(before_cuts[static_cast<std::size_t>(flat[c])], before.polygons.corners[c]);
   EXPECT_TRUE(is_disk("c.ply"));
 }
 

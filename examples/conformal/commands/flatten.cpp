@@ -59,7 +59,8 @@ void add_options(CLI::App& command, Flatten_options& options, Common_options& co
       ->delimiter(',')
       ->check(CLI::NonNegativeNumber);
   command.add_flag("--planar-mesh", options.planar_mesh,
-                   "write the flat mesh, and not the surface with texture coordinates alone");
+                   "write the flat mesh, and not the surface with texture coordinates alone; after "
+                   "--cut, JSON has the number before of each vertex (vertex_before_cuts)");
   advanced(command)
       .add_option("--tolerance", options.tolerance, "of the spectral map")
       ->check(between_zero_and_one)
@@ -178,6 +179,8 @@ void flatten(const Flatten_options& options, Session& session)
   Surface_input input = read_input(options, session);
   Surface_file before = input.file;
   const Cut_surface surface = opened(std::move(input), options.cut);
+  if (options.planar_mesh && !surface.origin.empty())
+    session.report().set("result/vertex_before_cuts", surface.origin);
   const Flat_components flat = flatten_components(surface.input, options, session);
   keep_flat_exhibit(surface.input, with_those_left(surface.input.mesh, flat), session);
   write_mesh(output, file_of(surface, std::move(before), flat, options), session);

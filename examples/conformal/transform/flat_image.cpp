@@ -13,6 +13,7 @@
 #include <Conformal_geometry_processing/parameterization/planar_directions.h>
 #include <Conformal_geometry_processing/surfaces/minimal_surface.h>
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -20,10 +21,12 @@ namespace conformal {
 namespace {
 
 /// what to try where a method fails
-const char* other_ways(const Flatten_options& options)
+std::string other_ways(const Flatten_options& options)
 {
-  return options.method == Flatten_method::dirac ? "--method spectral"
-                                                 : "to cut the surface open, or remove slivers";
+  if (options.method == Flatten_method::dirac) return "--method spectral";
+  if (!options.cut.is_cut()) return "to cut the surface open, or remove slivers";
+  const int tips = 2 * std::max(options.cut.tips, static_cast<int>(options.cut.cones.size()));
+  return "more cuts: --cut=" + std::to_string(tips) + ", or remove slivers";
 }
 
 void tell(const CGP::Parameterization_report& map, Report& report)
