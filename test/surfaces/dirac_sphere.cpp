@@ -4,6 +4,7 @@
 #include <Conformal_geometry_processing/operators/dirac.h>
 #include <Conformal_geometry_processing/operators/dirac_energy.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
+#include <Conformal_geometry_processing/operators/mean_curvature.h>
 #include <Conformal_geometry_processing/spin/Dirac_spectrum.h>
 #include <Conformal_geometry_processing/surfaces/dirac_sphere.h>
 
@@ -172,6 +173,31 @@ TEST(Dirac_sphere, has_the_eigenvalue_and_the_energy_of_its_kappa)
     EXPECT_NEAR(energy(result, sphere), kappa * kappa, 0.01 * kappa * kappa) << kappa;
     EXPECT_LT(result.report.closure_residual, 1e-3) << kappa;
     EXPECT_LT(result.report.conformality.quasi_conformal.max, 1.1) << kappa;
+  }
+}
+
+// The half-density of mean curvature is kappa everywhere, so a part of the surface has the energy
+// of its part of the sphere: that with |z| < c the share c.
+TEST(Dirac_sphere, with_branch_points_has_its_energy_apart_from_them)
+{
+  const double c = .8;
+  for (const auto& [kappa, s] : {std::pair(-2, 1), std::pair(-3, 1), std::pair(-3, 2)}) {
+    std::vector<double> h, errors;
+    for (const int level : {4, 5, 6}) {
+      const Mesh_view sphere = icosphere(level);
+      const Mesh_view image(CGP::spin_to_dirac_sphere(sphere, kappa, s).positions,
+                            sphere.corners());
+      const Eigen::VectorXd energies =
+          CGP::voronoi_areas(image).cwiseProduct(CGP::mean_curvature(image).cwiseAbs2());
+      const Eigen::ArrayXd outside =
+          (sphere.positions().row(2).transpose().array().abs() < c).cast<double>();
+      const double share = outside.matrix().dot(CGP::voronoi_areas(sphere)) / (4 * pi);
+      h.push_back(mean_edge_length(sphere));
+      errors.push_back(
+          std::abs(outside.matrix().dot(energies) / (4 * pi * kappa * kappa * share) - 1));
+    }
+    EXPECT_LT(errors.back(), .01) << kappa << ' ' << s;
+    EXPECT_GT(slope(h, errors), 1.5) << kappa << ' ' << s;
   }
 }
 

@@ -27,7 +27,10 @@ const char* const curve_about =
     "closed curve its turning number. Those that turn k times become circles run through k times,\n"
     "those that do not turn a figure eight, open ones straight.\n"
     "Reads SVG (path, polygon, polyline), CSV (x,y per line, an empty line between), OBJ (l);\n"
-    "writes them too, by the extension of the output. Ends early where the energy has settled.\n"
+    "writes them too, by the extension of the output; in CSV, a closed curve ends with a "
+    "repetition\n"
+    "of its first point, one row more than it has points. Ends early where the energy has "
+    "settled.\n"
     "When interrupted (Ctrl-C, SIGTERM), it writes the curves after the last complete step, and\n"
     "ends with exit code 130 or 143; a second signal ends it at once.\n"
     "Example: conformal curve star.svg --steps 60 --time-step 0.05 --animate -o star_flow.svg";

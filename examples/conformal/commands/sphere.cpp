@@ -22,7 +22,8 @@ const char* const sphere_about =
     "Makes a Dirac sphere: a conformal image of the unit sphere with Willmore energy 4 pi "
     "kappa^2,\n"
     "whose curvature half-density is a multiple of its length density, from a spherical spinor.\n"
-    "For s = 0 it is immersed; for 0 < s < |kappa| it has branch points at both poles.\n"
+    "For s = 0 it is immersed; for 0 < s < |kappa| it has branch points at both poles, where the\n"
+    "few faces around have any energy, which need not fall with --level.\n"
     "Example: conformal sphere --kappa -3 --s 1 --level 6 -o dirac_sphere.ply";
 
 /// what `conformal sphere` takes
