@@ -164,8 +164,8 @@ double largest_jump(const std::vector<double>& steps)
   return largest;
 }
 
-// Steps are distances of surfaces by the diagonal; lengths retreat where their range becomes
-// smaller, which is told as a share of it.
+// Steps are distances of surfaces by the diagonal; lengths retreat where their range, 2 at the
+// bound of most or of tips, becomes smaller, which is told as a share of it.
 void sweep(const std::string& path)
 {
   const CGP::Mesh_view mesh = closed_surface(path);
@@ -174,7 +174,7 @@ void sweep(const std::string& path)
   CGP::Points before = mesh.positions();
   for (int i = 1; i <= 100; ++i) {
     const CGP::Spin_result r = surface_of(mesh, sampled(mesh, potentials[0], .04 * i), 2);
-    const double range = std::max(r.report.scales.high, 1 / r.report.scales.low);
+    const double range = std::pow(2, r.report.scales.excess());
     steps.push_back(CGP::align(r.positions, before).rms);
     retreat = std::max(retreat, 1 - range / widest);
     widest = std::max(widest, range);

@@ -90,7 +90,7 @@ Flow_result flow_result(const Graph_view<TriangleMesh>& graph, const NamedParame
       graph.view(), options,
       parameter_or(np, internal_np::curvature_direction, Willmore_direction()), function);
   Flow_report report = flow.run(visitor);
-  return {flow.mesh().positions(), std::move(report)};
+  return {flow.positions(), std::move(report)};
 }
 
 }  // namespace internal

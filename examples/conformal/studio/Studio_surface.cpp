@@ -94,7 +94,7 @@ void Studio_surface::flow()
   if (!m_flow) m_flow.emplace(m_mesh, single_steps(), CGP::Willmore_direction(), "studio");
   const CGP::Flow_report flow = m_flow->run();
   if (m_flow_steps == 0) m_flow_energy = flow.initial_energy_of_faces;
-  Evidence evidence{m_flow->mesh().positions()};
+  Evidence evidence{m_flow->positions()};
   evidence.map = flow.conformality_of_faces;
   if (flow.steps.empty() && !flow.converged())
     evidence.fault = std::string("no step: ") + CGP::to_string(flow.stop);
@@ -106,7 +106,7 @@ void Studio_surface::flow()
   m_outcome.report.set("result/energy/final", flow.energy_of_faces);
   m_outcome.report.set("result/stop", CGP::to_string(flow.stop));
   tell_conformality(flow.conformality_of_faces, m_mesh.size_of_faces(), m_outcome.report);
-  m_positions = m_flow->mesh().positions();
+  m_positions = m_flow->positions();
 }
 
 Eigen::VectorXd Studio_surface::quality() const

@@ -56,7 +56,7 @@ Flow_solution run_flow(const CGP::Mesh_view& mesh, const Flow_options& options,
 {
   CGP::Conformal_willmore_flow flow(mesh, options_of(options, common), {}, "flow");
   CGP::Flow_report report = flow.run(watch);
-  return {flow.mesh().positions(), std::move(report)};
+  return {flow.positions(), std::move(report)};
 }
 
 }  // namespace conformal

@@ -87,7 +87,7 @@ py::tuple willmore_flow(const Array& V, const Indices& F, const py::dict& option
   const CGP::Points positions = without_lock([&] {
     CGP::Conformal_willmore_flow flow(mesh, own, {}, function);
     report = flow.run(watch);
-    return flow.mesh().positions();
+    return flow.positions();
   });
   return py::make_tuple(to_rows(positions), as_dict(report));
 }

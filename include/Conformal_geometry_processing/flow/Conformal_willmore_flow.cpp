@@ -76,6 +76,8 @@ Conformal_willmore_flow::Conformal_willmore_flow(const Mesh_view& mesh, const Fl
                       : options.time_step)
 {
   if (options.exact_conformal_class) m_class.emplace(m_initial, options.boundary);
+  if (m_faces && !options.mollification && boundary_loops(mesh).empty())
+    m_filter.emplace(mesh, options.solvers);
   if (!options.mollification) return;
   m_well_shaped = well_shaped_part(m_initial);
   if (m_class) m_mollification = mollification_on_class();
@@ -270,7 +272,7 @@ void Conformal_willmore_flow::accept(Flow_step_report& report)
   ++m_steps;
   report.accepted = true;
   report.energy = m_energy;
-  report.energy_of_faces = energy_of_faces(m_mesh.positions());
+  report.energy_of_faces = energy_of_faces(positions());
   report.message.clear();
   if (m_class) judge_boundary(report.spin);
   m_time_step.grow();

@@ -4,6 +4,7 @@
 #include <Conformal_geometry_processing/flow/Class_keeper.h>
 #include <Conformal_geometry_processing/flow/Constrained_direction.h>
 #include <Conformal_geometry_processing/flow/Curvature_direction_ref.h>
+#include <Conformal_geometry_processing/flow/Face_filter.h>
 #include <Conformal_geometry_processing/flow/Flow_balance.h>
 #include <Conformal_geometry_processing/flow/Flow_options.h>
 #include <Conformal_geometry_processing/flow/Flow_report.h>
@@ -124,6 +125,14 @@ class Conformal_willmore_flow {
   /// the intrinsic Delaunay triangulation of the initial surface
   const Mesh_view& mesh() const { return m_mesh; }
 
+  /// \brief the points after the last complete step, for the faces of the input, 3 x |V|: those of
+  /// `mesh()`, or, on closed surfaces, `internal::Face_filter::settled()` where that lowers the
+  /// energy on these faces by more than 5 %. The surface is then off its exact class by as much.
+  Points positions() const
+  {
+    return m_steps == 0 ? m_mesh.positions() : written(m_mesh.positions());
+  }
+
   /// the initial surface of the flow, of the same connectivity
   const Mesh_view& initial_mesh() const { return m_initial; }
 
@@ -179,7 +188,7 @@ class Conformal_willmore_flow {
     internal::Stopwatch watch;
     Flow_report report;
     report.initial_energy = m_energy;
-    report.initial_energy_of_faces = energy_of_faces(m_mesh.positions());
+    report.initial_energy_of_faces = energy_of_faces(positions());
     m_visits.during([&] { visitor.on_flow_begin(m_mesh, m_energy); });
     while (report.stop == Flow_step_report::Stop::none) {
       if (static_cast<int>(report.steps.size()) >= m_options.max_steps)
@@ -187,7 +196,7 @@ class Conformal_willmore_flow {
       else if (!m_visits.during([&] { return visitor.go_further(); }))
         report.stop = Flow_step_report::Stop::cancelled;
       else if (append(report, step(visitor)))
-        m_visits.during([&] { visitor.on_step_end(report.steps.back(), m_mesh); });
+        m_visits.during([&] { visitor.on_step_end(report.steps.back(), shown()); });
     }
     finish(report);
     report.seconds = watch.lap();
@@ -218,7 +227,13 @@ class Conformal_willmore_flow {
   /// the faces of the input, or those well shaped, where the flow has others
   std::optional<Mesh_view> other_faces() const;
 
-  /// on the faces of the input, at positions of the flow
+  /// `mesh()` at `positions()`
+  Mesh_view shown() const;
+
+  /// see `positions()`
+  Points written(const Points& positions) const;
+
+  /// on the faces of the input, at written positions
   double energy_of_faces(const Points& positions) const;
 
   /// \brief why a surface, whose map is known, is beyond limits, or on the faces of the input
@@ -312,9 +327,10 @@ class Conformal_willmore_flow {
   std::string m_function;
   internal::Visit_guard m_visits;
   Flow_options m_options;
-  Mesh_view m_input;                    // with its own faces
-  Mesh_view m_initial, m_mesh, m_next;  // m_next: workspace for trials
-  std::optional<Mesh_view> m_faces;     // of the input, where the flow has others
+  Mesh_view m_input;                              // with its own faces
+  Mesh_view m_initial, m_mesh, m_next;            // m_next: workspace for trials
+  std::optional<Mesh_view> m_faces;               // of the input, where the flow has others
+  std::optional<internal::Face_filter> m_filter;  // of these
   Spin_transformation m_transformation;
   std::optional<internal::Class_keeper> m_class;  // if the exact class is kept
   std::optional<internal::Well_shaped_faces>

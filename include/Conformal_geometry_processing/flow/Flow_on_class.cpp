@@ -37,6 +37,23 @@ std::optional<Mesh_view> Conformal_willmore_flow::other_faces() const
   return m_options.mollification ? well_shaped_part(m_input).mesh : m_input;
 }
 
+Points Conformal_willmore_flow::written(const Points& positions) const
+{
+  if (!m_filter) return positions;
+  const double error = .05;  // of good faces
+  Points settled = m_filter->settled(positions);
+  const bool is_smoother = energy_of_faces(settled) < (1 - error) * energy_of_faces(positions);
+  const auto fault = [&] { return map_to(*m_faces, settled).fault(m_options.limits); };
+  return is_smoother && fault() == Conformality::Fault::none ? settled : positions;
+}
+
+Mesh_view Conformal_willmore_flow::shown() const
+{
+  Mesh_view shown = m_mesh;
+  shown.set_positions(positions());
+  return shown;
+}
+
 // Faces without area have no curvature.
 double Conformal_willmore_flow::energy_of_faces(const Points& positions) const
 {
@@ -48,12 +65,13 @@ double Conformal_willmore_flow::energy_of_faces(const Points& positions) const
 
 std::string Conformal_willmore_flow::beyond(const Conformality& map,
                                             const Conformality::Limits& limits,
-                                            const Points& positions) const
+                                            const Points& found) const
 {
   const std::string prefix = "from the initial surface, ";
   const auto none = Conformality::Fault::none;
   if (const auto fault = map.fault(limits); fault != none) return prefix + to_string(fault);
   if (!m_faces) return {};
+  const Points positions = written(found);
   const Conformality of_faces = map_to(*m_faces, positions);
   const double Q = (std::max)(of_faces.quasi_conformal.mean, of_faces.quasi_conformal_of_new_area);
   if (const auto fault = of_faces.fault(m_options.limits); fault != none)
@@ -93,7 +111,7 @@ void Conformal_willmore_flow::take_step(Flow_step_report& report, const Go_furth
       report.faired = true;
       report.stop = Flow_step_report::Stop::none;
       report.energy = m_energy;
-      report.energy_of_faces = energy_of_faces(m_mesh.positions());
+      report.energy_of_faces = energy_of_faces(positions());
     }
   }
 }
@@ -118,7 +136,7 @@ void Conformal_willmore_flow::settle_for_fairing(Flow_step_report& report)
   }
   report.accepted = true;
   report.energy = m_energy;
-  report.energy_of_faces = energy_of_faces(m_mesh.positions());
+  report.energy_of_faces = energy_of_faces(positions());
   report.time_step = 0;
   const Spin_report given_up = std::exchange(report.spin, {});
   internal::add_costs(report.spin, given_up);
@@ -170,9 +188,8 @@ void Conformal_willmore_flow::finish(Flow_report& report)
   report.energy = m_energy;
   if (m_class) report.period_defect = internal::largest_period_defect(report);
   report.conformality = map_to(measured(), m_mesh.positions());
-  report.conformality_of_faces =
-      m_faces ? map_to(*m_faces, m_mesh.positions()) : report.conformality;
-  report.energy_of_faces = energy_of_faces(m_mesh.positions());
+  report.conformality_of_faces = m_faces ? map_to(*m_faces, positions()) : report.conformality;
+  report.energy_of_faces = energy_of_faces(positions());
   const bool is_triangulated = m_transformation.domain().is_mollified();
   if (m_steps > 0 && !is_triangulated && boundary_loops(m_mesh).empty())
     report.conformal_type_change = type_change();

@@ -30,6 +30,7 @@ class Period_residual : public Spin_residual {
   Eigen::VectorXd change(const Spins& dlambda) const override;
   Spins gradient(const Eigen::VectorXd& y) const override;
   bool is_few() const override { return true; }
+  Eigen::Index most_one_by_one() const override { return 48; }
 
   /// \param b factor of the square of the residual
   void set_weight(double b) { m_weight = b; }

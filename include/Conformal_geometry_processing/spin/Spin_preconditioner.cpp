@@ -7,6 +7,8 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
+
 namespace Conformal_geometry_processing::internal {
 
 /// the components of the quaternions, a column for each column
@@ -115,7 +117,9 @@ auto Spin_preconditioner::solve(const Vectors& g) const -> Vectors
 
 bool Spin_preconditioner::leaves_few() const
 {
-  return number_of_values(m_few) > most_columns;
+  return std::any_of(m_few.begin(), m_few.end(), [](const Spin_residual* r) {
+    return r->values().size() > r->most_one_by_one();
+  });
 }
 
 // What hardly moves the values, such as points of a round sphere along it, takes no long steps.

@@ -31,15 +31,13 @@ struct Relaxed_costs {
 /// the span Y of the solves, the inverse is that of S = w X + G G^T with the present G, and where
 /// it is orthogonal to Y by S, that of w X (balancing).
 ///
-/// These solves, and products of all with all, are worth it up to `most_columns` gradients. More of
+/// Where one of the few residuals has more than `Spin_residual::most_one_by_one()` values, all of
 /// them are left to the iterations, which then have to go on for longer: their condition is that of
 /// 1 + G^T (w X)^-1 G, some hundreds for many holes.
 class Spin_preconditioner {
  public:
   using Spins = Quaternion_vector<double>;
   using Vectors = Block<Quaternion<double>>;
-
-  static constexpr Eigen::Index most_columns = 48;
 
   /// \param system its factor is replaced; it and the residuals must outlive the object
   /// \param reuse the factor is kept while lambda has moved by less, in the mean

@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -41,6 +42,13 @@ class Spin_residual {
   /// \brief whether the values are few, such as periods: preconditioners then take their gradients
   /// one by one.
   virtual bool is_few() const { return false; }
+
+  /// \brief up to how many few values preconditioners do that; more cost products of all with all,
+  /// and are left to the iterations where these find them soon.
+  virtual Eigen::Index most_one_by_one() const
+  {
+    return (std::numeric_limits<Eigen::Index>::max)();
+  }
 };
 
 using Spin_residuals = std::vector<Spin_residual*>;
