@@ -269,10 +269,10 @@ TEST_F(Flow, notes_how_much_has_become_small)
     return Eigen::Vector3d(s * p.x(), s * p.y(), 2 * p.z());
   });
   write("a.off", off(dumbbell));
-  const Program_run r = run("flow -q a.off --steps 20 -o b.off");
+  const Program_run r = run("flow a.off --steps 20 -o b.off");
   EXPECT_NE(r.err.find(" % of the area has shrunk below a tenth"), std::string::npos) << r.err;
   write("a.off", off(cgp_test::bumpy_sphere(3)));
-  EXPECT_EQ(run("flow -q a.off --steps 3 -o b.off").err.find("shrunk"), std::string::npos);
+  EXPECT_EQ(run("flow a.off --steps 3 -o b.off").err.find("shrunk"), std::string::npos);
 }
 
 TEST_F(Flow, without_a_single_step_it_fails)
