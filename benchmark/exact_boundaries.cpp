@@ -10,7 +10,6 @@
 /// ones, with a pole in the hole, and a third are turned inside out. What a user has is measured:
 /// the boundary of a mesh.
 #include <Conformal_geometry_processing/measure/alignment.h>
-#include <Conformal_geometry_processing/operators/mass_matrices.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
 
 #include <cmath>
@@ -82,7 +81,6 @@ void measure(int k, double h, const std::string& name)
   const CGP::Spin_result r = CGP::Spin_transformation(plane, {condition(name, target)})
                                  .transform(CGP::Curvature_potential::on_vertices(
                                      Eigen::VectorXd::Zero(plane.size_of_vertices())));
-  const double radius = std::sqrt(CGP::face_areas(plane).sum() / std::acos(-1.));
   const bool has_surface = r.positions.cols() > 0;
   cgp_benchmark::Record()
       .add("case", k)
@@ -94,7 +92,7 @@ void measure(int k, double h, const std::string& name)
       .add("fault", std::string(CGP::to_string(r.report.fault())))
       .add("error", has_surface ? CGP::align(r.positions, target.positions()).rms : NAN)
       .add("q_mean", r.report.conformality.quasi_conformal.mean)
-      .add("gamma_radius", std::abs(r.report.eigenvalue) * radius)
+      .add("gamma_radius", std::abs(r.report.gamma_radius()))
       .add("missed", r.report.direction_error.mean)
       .print();
 }

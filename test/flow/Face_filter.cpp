@@ -106,6 +106,22 @@ Mesh_view marched_ball(int n)
   return {std::move(p), std::move(faces)};
 }
 
+// On each of them the flow needs its filter.
+TEST(Face_filter, makes_flows_round_on_thin_faces_of_any_size)
+{
+  const Mesh_view mesh = marched_ball(10);
+  const auto settled = [&](double size) {
+    CGP::Flow_options options;
+    options.max_steps = 3;
+    CGP::Conformal_willmore_flow flow(scaled(mesh, size), options);
+    EXPECT_TRUE(flow.run()) << size;
+    return Points(flow.positions() / size);
+  };
+  const Points once = settled(1);
+  for (const double size : {1e-150, 1e-30, 1e150})
+    EXPECT_LT((settled(size) - once).cwiseAbs().maxCoeff(), 1e-7) << size;
+}
+
 // Round, and conformal, on thin faces that the flow does not use.
 TEST(Face_filter, makes_flows_round_on_thin_faces)
 {

@@ -3,6 +3,7 @@
 // Tests examples/conformal/report/Grid.cpp examples/conformal/transform/suitable_surface.cpp
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include "program/support.h"
+#include "support/bounded_meshes.h"
 #include "support/spheres.h"
 #include "support/thin_faces.h"
 #include "support/tori.h"
@@ -260,6 +261,16 @@ TEST_F(Flow, tells_the_numbers_of_the_surface_as_written)
   EXPECT_NEAR(flow["energy"]["initial"], seen["willmore_energy"]["before"], 1e-9);
   EXPECT_NEAR(flow["energy"]["final"], seen["willmore_energy"]["after"], 1e-9);
   EXPECT_NEAR(json("b.json")["steps"].back()["energy"], flow["energy"]["final"], 1e-3);
+}
+
+// A cylinder of radius 1 with its binormals kept stays what it is: H = 1/2.
+TEST_F(Flow, tells_how_constant_the_mean_curvature_is)
+{
+  write("a.off", off(cgp_test::cylinder(1, 2, 48, 16)));
+  ASSERT_EQ(run("flow -q a.off --boundary binormals --steps 3 -o b.off --json b.json").code, 0);
+  const auto H = json("b.json")["result"]["mean_curvature"];
+  EXPECT_NEAR(std::abs(H["mean"].get<double>()), .5, .002);
+  EXPECT_LT(H["deviation"], .002);
 }
 
 TEST_F(Flow, notes_how_much_has_become_small)

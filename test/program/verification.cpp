@@ -69,7 +69,9 @@ TEST(Verification, objects_to_each_fault_and_to_what_is_no_number)
   expect_objection(report, "the eigenvector did not converge");
   (report = faultless()).direction_error.mean = nan;
   expect_objection(report, "directions at the boundary are missed");
-  (report = faultless()).gamma_radius = -2.1;
+  (report = faultless()).eigenvalue = -2.1;
+  report.radius = 1;
+  report.limits_gamma = true;
   expect_objection(report, "gamma times the radius is 2.1, more than 2");
   (report = faultless()).boundary_fault = CGP::Spin_report::Boundary_fault::degenerate;
   expect_objection(report, "try: EASIER");

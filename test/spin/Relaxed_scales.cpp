@@ -36,6 +36,21 @@ TEST(Relaxed_scales, keeps_to_the_bound)
   EXPECT_LE(scales.spins().costs().solves, 100);
 }
 
+// For what is changed after the steps; the larger of two rooms counts.
+TEST(Relaxed_scales, leaves_room_below_the_bound)
+{
+  const Mesh_view mesh = perturbed(ellipsoid(2), .05);
+  Dirac_system system(mesh);
+  const Scale_control control{1.5, {}, {}};
+  Relaxed_scales scales(system, waves_on(mesh, 3), control);
+  EXPECT_EQ(scales.run(), End::within_bound);
+  scales.leave_room(.1);
+  scales.leave_room(.05);
+  EXPECT_EQ(scales.go_on(), End::within_bound);
+  EXPECT_LE(scales.excess(), .9);
+  EXPECT_GE(scales.excess(), .89);
+}
+
 // Where the bound is slack it has no effect, and as rho grows, lengths reach it without a jump.
 TEST(Relaxed_scales, comes_up_to_the_bound_without_a_jump)
 {

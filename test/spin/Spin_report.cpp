@@ -61,18 +61,25 @@ TEST(Spin_report, objects_to_more_curvature_than_that_of_a_sphere_beside_rho)
 {
   CGP::Spin_report report;
   report.converged = true;
+  report.radius = .5;
   for (const double sign : {-1, 1}) {
-    report.gamma_radius = 1.99 * sign;
+    report.limits_gamma = true;
+    report.eigenvalue = 3.98 * sign;
     EXPECT_TRUE(report);
-    report.gamma_radius = 2.01 * sign;
+    report.eigenvalue = 4.02 * sign;
     EXPECT_EQ(report.fault(), CGP::Spin_report::Fault::curvature);
+    report.limits_gamma = false;  // constants may be anything
+    EXPECT_TRUE(report);
   }
-  report.gamma_radius = std::numeric_limits<double>::quiet_NaN();
+  report.limits_gamma = true;
+  report.radius = std::numeric_limits<double>::quiet_NaN();
   EXPECT_FALSE(report);
   CGP::Spin_report all;
-  report.gamma_radius = .5;
+  report.radius = .5;
+  report.eigenvalue = 1;
   CGP::append(all, report);
-  EXPECT_EQ(all.gamma_radius, .5);
+  EXPECT_EQ(all.gamma_radius(), .5);
+  EXPECT_TRUE(all.limits_gamma);
 }
 
 TEST(Spin_report, of_two_transformations_adds_all_costs)

@@ -97,7 +97,7 @@ TEST(Dirac_disk, between_tilted_binormals_has_a_constant_that_makes_up_for_that_
           transformed(mesh, Boundary_condition::binormals(tilted), constant_potential(mesh, rho));
       EXPECT_TRUE(r.report);
       r.report.limits.gamma_radius = 1.2;
-      errors.push_back(r.report.gamma_radius - (-g - rho));
+      errors.push_back(r.report.gamma_radius() - (-g - rho));
       EXPECT_EQ(r.report.fault() == CGP::Spin_report::Fault::curvature, rho > .9);
     }
     EXPECT_LT(std::abs(errors.back()), .01);

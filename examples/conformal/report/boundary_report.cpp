@@ -3,8 +3,6 @@
 
 #include "conformal/process/text.h"
 
-#include <Conformal_geometry_processing/measure/energies.h>
-#include <Conformal_geometry_processing/mesh/Normalized_frame.h>
 #include <Conformal_geometry_processing/mesh/topology.h>
 
 #include <cmath>
@@ -16,14 +14,6 @@ namespace {
 using Kind = CGP::Boundary_condition::Kind;
 
 const double degrees = 180 / std::acos(-1.);
-
-/// of the disk of the same area; finite for whatever size the mesh is of
-double radius(CGP::Mesh_view mesh)
-{
-  const CGP::internal::Normalized_frame frame(mesh.positions());
-  mesh.set_positions(frame.to_frame(mesh.positions()));
-  return frame.unit() * std::sqrt(CGP::total_area(mesh) / std::acos(-1.));
-}
 
 std::string name_of(const CGP::Boundary_condition& condition)
 {
@@ -58,8 +48,7 @@ void tell_boundary(const CGP::Mesh_view& mesh, const CGP::Boundary_condition& co
   if (CGP::topology(mesh).is_closed()) return;
   report.set("result/boundary/condition", name_of(condition).c_str());
   report.show("boundary", name_of(condition));
-  report.tell("result/boundary/gamma_radius", "gamma times the radius",
-              spin.eigenvalue * radius(mesh), 3);
+  report.tell("result/boundary/gamma_radius", "gamma times the radius", spin.gamma_radius(), 3);
   if (condition.kind == Kind::directions) tell_directions(spin, report);
   if (condition.kind == Kind::positions) tell_positions(spin, report);
   if (spin.boundary_fault == CGP::Spin_report::Boundary_fault::none)

@@ -91,7 +91,8 @@ std::string objection(const CGP::Spin_report& report, const CGP::Points& positio
     case Fault::directions:
       return fault_of_boundary(report, limits, easier);
     case Fault::curvature:
-      return exceeds("gamma times the radius", std::abs(report.gamma_radius), limits.gamma_radius) +
+      return exceeds("gamma times the radius", std::abs(report.gamma_radius()),
+                     limits.gamma_radius) +
              ": the new surface has another mean curvature than rho says; try: " + easier +
              ", or --limit gamma_radius";
     case Fault::left_out:

@@ -141,7 +141,9 @@ py::dict as_dict(const CGP::Spin_report& r)
   d["period_defect"] = r.period_defect;
   d["realised_share"] = r.realised_share;
   d["direction_error"] = mean_and_max(r.direction_error);
-  d["gamma_radius"] = r.gamma_radius;
+  d["radius"] = r.radius;
+  d["limits_gamma"] = r.limits_gamma;
+  d["gamma_radius"] = r.gamma_radius();
   using Fault = CGP::Spin_report::Boundary_fault;
   d["boundary_fault"] = text_or_none(r.boundary_fault != Fault::none, to_string(r.boundary_fault));
   d["has_positions"] = r.has_positions;

@@ -76,8 +76,7 @@ Conformal_willmore_flow::Conformal_willmore_flow(const Mesh_view& mesh, const Fl
                       : options.time_step)
 {
   if (options.exact_conformal_class) m_class.emplace(m_initial, options.boundary);
-  if (m_faces && !options.mollification && boundary_loops(mesh).empty())
-    m_filter.emplace(mesh, options.solvers);
+  if (m_faces && !options.mollification && boundary_loops(mesh).empty()) make_filter();
   if (!options.mollification) return;
   m_well_shaped = well_shaped_part(m_initial);
   if (m_class) m_mollification = mollification_on_class();

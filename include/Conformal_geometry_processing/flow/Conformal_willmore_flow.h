@@ -227,13 +227,17 @@ class Conformal_willmore_flow {
   /// the faces of the input, or those well shaped, where the flow has others
   std::optional<Mesh_view> other_faces() const;
 
+  /// the filter of the faces of the input; none where these are so thin that it cannot be factored
+  void make_filter();
+
   /// `mesh()` at `positions()`
   Mesh_view shown() const;
 
   /// see `positions()`
   Points written(const Points& positions) const;
 
-  /// on the faces of the input, at written positions
+  /// on the faces of the input; with mollification on those of the flow, as faces without area have
+  /// no curvature
   double energy_of_faces(const Points& positions) const;
 
   /// \brief why a surface, whose map is known, is beyond limits, or on the faces of the input

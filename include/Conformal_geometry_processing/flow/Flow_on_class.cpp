@@ -37,6 +37,15 @@ std::optional<Mesh_view> Conformal_willmore_flow::other_faces() const
   return m_options.mollification ? well_shaped_part(m_input).mesh : m_input;
 }
 
+void Conformal_willmore_flow::make_filter()
+{
+  try {
+    m_filter.emplace(in_frame(m_input), m_options.solvers);
+  } catch (const Solver_error& error) {
+    if (is_out_of_memory(error)) throw;
+  }
+}
+
 Points Conformal_willmore_flow::written(const Points& positions) const
 {
   if (!m_filter) return positions;
@@ -54,7 +63,6 @@ Mesh_view Conformal_willmore_flow::shown() const
   return shown;
 }
 
-// Faces without area have no curvature.
 double Conformal_willmore_flow::energy_of_faces(const Points& positions) const
 {
   if (!m_faces || m_options.mollification) return m_energy;

@@ -33,14 +33,6 @@ Eigen::VectorXd internal::Prescribed_positions::weights(double weight) const
 
 Block<Quaternion<double>> internal::Prescribed_positions::given_spins() const
 {
-  Block<Quaternion<double>> values =
-      Block<Quaternion<double>>::Constant(m_surface.size_of_vertices(), 1, {});
-  for (std::size_t k = 0; k < m_spins.size(); ++k) values(m_frames.vertices[k], 0) = m_spins[k];
-  return values;
-}
-
-Block<Quaternion<double>> internal::Prescribed_positions::given_spins_of_loops() const
-{
   const auto loops = static_cast<Eigen::Index>(m_frames.loops.size());
   Block<Quaternion<double>> values =
       Block<Quaternion<double>>::Constant(m_surface.size_of_vertices(), loops, {});
@@ -67,7 +59,7 @@ Eigen::VectorXd internal::Prescribed_positions::signs(const Eigen::MatrixXd& S)
 Quaternion_vector<double> internal::Prescribed_positions::spins(
     const Hermitian_sparse_matrix<Quaternion<double>>& X)
 {
-  const Block<Quaternion<double>> given = given_spins_of_loops();
+  const Block<Quaternion<double>> given = given_spins();
   const Eigen::Index loops = given.cols();
   const Block<Quaternion<double>> zero =
       Block<Quaternion<double>>::Constant(given.rows(), loops, {});
@@ -94,7 +86,8 @@ double internal::Prescribed_positions::residual(
     const Quaternion_vector<double>& lambda) const
 {
   const bool is_exact = m_weights.size() == 0;
-  const Quaternion_vector<double> given = given_spins().col(0);
+  Quaternion_vector<double> given = Quaternion_vector<double>::Constant(lambda.size(), {});
+  for (std::size_t k = 0; k < m_spins.size(); ++k) given[m_frames.vertices[k]] = m_spins[k];
   Quaternion_vector<double> r = X * lambda, b = X * given;
   double left = 0, all = 0;
   for (Eigen::Index i = 0; i < lambda.size(); ++i) {

@@ -81,11 +81,8 @@ class Prescribed_positions {
     m_weights.size() > 0 ? solver.factorize(A, m_weights) : solver.factorize(A);
   }
 
-  /// zero inside
+  /// zero but on a loop, each of which has a column
   Block<Quaternion<double>> given_spins() const;
-
-  /// likewise, those of each loop in a column of its own
-  Block<Quaternion<double>> given_spins_of_loops() const;
 
   /// \brief the signs of loops, one after another, of which the next is the loop that changes the
   /// energy most

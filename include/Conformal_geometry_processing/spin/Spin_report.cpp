@@ -96,7 +96,7 @@ Spin_report::Fault Spin_report::fault() const
   const bool is_open = boundary_fault == Boundary_fault::does_not_close;  // judged by its limit
   if (boundary_fault != Boundary_fault::none && !is_open) return Fault::boundary;
   if (!(direction_error.mean <= limits.direction_error)) return Fault::directions;
-  if (!(std::abs(gamma_radius) <= limits.gamma_radius)) return Fault::curvature;
+  if (limits_gamma && !(std::abs(gamma_radius()) <= limits.gamma_radius)) return Fault::curvature;
   if (!(realised_share >= limits.realised_share)) return Fault::left_out;
   if (!(scales.kept_norm >= limits.kept_norm)) return Fault::left_out;
   if (!has_positions && !(closure_residual <= limits.closure)) return Fault::open;
@@ -153,7 +153,8 @@ void append(Spin_report& all, const Spin_report& next)
   all.substeps = (std::max)(before.substeps, next.substeps);
   all.steps += next.steps;
   all.direction_error = next.direction_error;
-  all.gamma_radius = next.gamma_radius;
+  all.radius = next.radius;
+  all.limits_gamma = next.limits_gamma;
   all.boundary_fault = next.boundary_fault;
   internal::append(all.mollification, next.mollification);
   all.closure_residual = (std::max)(all.closure_residual, next.closure_residual);
@@ -216,7 +217,7 @@ std::ostream& operator<<(std::ostream& out, const Spin_report& r)
   if (r.direction_error.max > 0)
     out << "directions             missed by " << r.direction_error.mean << " radians in the mean, "
         << r.direction_error.max << " at most\n";
-  if (r.gamma_radius != 0) out << "gamma times the radius " << r.gamma_radius << '\n';
+  if (r.limits_gamma) out << "gamma times the radius " << r.gamma_radius() << '\n';
   if (r.position_error.max > 0)
     out << "positions              missed by " << r.position_error.mean << " in the mean, "
         << r.position_error.max << " at most\n";

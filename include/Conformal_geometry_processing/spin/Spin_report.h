@@ -64,9 +64,12 @@ struct [[nodiscard]] Spin_report : internal::Dirac_evidence {
   } direction_error;
   Boundary_fault boundary_fault = Boundary_fault::none;
 
-  /// with prescribed binormals: gamma times the radius of the disk of the same area. rho says what
-  /// the mean curvature is there, up to this constant
-  double gamma_radius = 0;
+  /// of the disk of the same area, in lengths of the mesh; 0 for closed surfaces
+  double radius = 0;
+  /// with prescribed binormals rho says what the mean curvature is, up to gamma, which has a limit
+  bool limits_gamma = false;
+  /// without a unit
+  double gamma_radius() const { return eigenvalue * radius; }
 
   /// with prescribed positions at a boundary, which no conformal surface need have: the edges need
   /// not close up either, and the distortion of the map is what counts
@@ -141,11 +144,11 @@ struct [[nodiscard]] Spin_report : internal::Dirac_evidence {
     double residual = 1e-4;         ///< whatever tolerance was requested
     double closure = 0.1;           ///< of `closure_residual`
     double direction_error = 0.18;  ///< of its mean, in radians: ten degrees
-    double gamma_radius = 2;        ///< of its modulus: that of the round sphere of the same area
-    double realised_share = 0.44;   ///< the least: the norm left out is .9 then
-    double kept_norm = 0.1;         ///< the least of `Scales::kept_norm`
-    double agreement = 0.5;         ///< of `Realised_curvature::agreement()`, see `falls_short()`
-    double opposition = 0.2;        ///< the largest of minus the agreement
+    double gamma_radius = 2;       ///< of the modulus of that: of the round sphere of the same area
+    double realised_share = 0.44;  ///< the least: the norm left out is .9 then
+    double kept_norm = 0.1;        ///< the least of `Scales::kept_norm`
+    double agreement = 0.5;        ///< of `Realised_curvature::agreement()`, see `falls_short()`
+    double opposition = 0.2;       ///< the largest of minus the agreement
     Conformality::Limits map;
   };
 

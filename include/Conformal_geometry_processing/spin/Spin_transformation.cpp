@@ -264,10 +264,8 @@ void Spin_transformation::judge_boundary(const Points& f, Spin_report& report) c
     report.has_positions = true;
     report.position_error = {errors.mean(), errors.maxCoeff()};
   }
-  if (turns_directions() && dirac.is_self_adjoint()) {
-    const double radius = std::sqrt(face_areas(dirac.surface()).sum() / std::acos(-1.));
-    report.gamma_radius = report.eigenvalue * domain().unit() * radius;
-  }
+  report.radius = domain().unit() * std::sqrt(face_areas(dirac.surface()).sum() / std::acos(-1.));
+  report.limits_gamma = turns_directions() && dirac.is_self_adjoint();
   const bool is_misfit = dirac.directions() && !dirac.is_self_adjoint();
   const double misfit = report.is_relaxed ? report.dirac_residual : report.eigenvalue;
   const double sigma = is_misfit ? misfit * domain().unit() : 0;

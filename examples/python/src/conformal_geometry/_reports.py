@@ -172,6 +172,8 @@ class Spin_report(Report):
     period_defect: float
     realised_share: float
     direction_error: Mean_and_max
+    radius: float
+    limits_gamma: bool
     gamma_radius: float
     boundary_fault: Optional[str]
     has_positions: bool
