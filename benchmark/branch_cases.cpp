@@ -41,10 +41,9 @@ double distance(const CGP::Mesh_view& mesh, const Points& f, const Points& g)
 
 CGP::Spin_result transformed(CGP::Spin_transformation& transformation, Rho rho, double constant)
 {
-  CGP::Dirac_options options;
-  options.tolerance = 1e-10;
+  transformation.dirac().tolerance = 1e-10;
   rho.values.array() += constant;
-  return transformation.transform(rho, options);
+  return transformation.transform(rho);
 }
 
 void sweep(const std::string& path)

@@ -15,23 +15,22 @@ void later_step(benchmark::State& state, double tau, const CGP::Spin_solvers& so
 {
   const Mesh_view mesh = in_unit_frame(bumpy_geodesic_sphere(static_cast<int>(state.range(0))));
   const int steps = 4;
-  CGP::Dirac_options options;
-  options.tolerance = 1e-6;
+  const double tolerance = 1e-6;
   const double yardstick = seconds_of_scalar_poisson(mesh);
   const double bytes = peak_bytes([&] {
-    Willmore_flow flow(mesh, solvers);
-    for (int i = 0; i < 2; ++i) (void)flow.step(tau, options);
+    Willmore_flow flow(mesh, tolerance, solvers);
+    for (int i = 0; i < 2; ++i) (void)flow.step(tau);
   });
   double least = never, iterations = 0, factorizations = 0;
   for (auto _ : state) {
     state.PauseTiming();
-    Willmore_flow flow(mesh, solvers);
-    (void)flow.step(tau, options);
+    Willmore_flow flow(mesh, tolerance, solvers);
+    (void)flow.step(tau);
     iterations = factorizations = 0;
     state.ResumeTiming();
     keep_least(least, [&] {
       for (int i = 0; i < steps; ++i) {
-        const CGP::Spin_report report = flow.step(tau, options);
+        const CGP::Spin_report report = flow.step(tau);
         if (!report) state.SkipWithError("no convergence");
         iterations += report.iterations;
         factorizations += report.factorizations;

@@ -15,12 +15,12 @@ const int steps = 4;  // after the first one
 
 // The largest of 0.3, 0.15, ... whose steps are all verified: features of a scan limit it.
 static double verified_time_step(const CGP::Mesh_view& mesh, const CGP::Spin_solvers& solvers,
-                                 const CGP::Dirac_options& options)
+                                 double tolerance)
 {
   for (double tau = 0.3; tau > 1e-3; tau /= 2) {
-    Willmore_flow flow(mesh, solvers);
+    Willmore_flow flow(mesh, tolerance, solvers);
     int verified = 0;
-    while (verified <= steps && flow.step(tau, options)) ++verified;
+    while (verified <= steps && flow.step(tau)) ++verified;
     if (verified > steps) return tau;
   }
   throw std::runtime_error("no flow with verified steps");
@@ -30,20 +30,18 @@ static double verified_time_step(const CGP::Mesh_view& mesh, const CGP::Spin_sol
 template <class SolverTraits>
 static void measure_flow(const Job& job, const CGP::Mesh_view& mesh, Record& record)
 {
-  CGP::Dirac_options options;
-  options.tolerance = job.tolerance;
-  const double tau = verified_time_step(mesh, SolverTraits(), options);
+  const double tau = verified_time_step(mesh, SolverTraits(), job.tolerance);
   double seconds = never;
   int iterations = 0, factorizations = 0;
   Poisson_seconds floor;
   repeat(job, [&] {
     floor.measure(mesh);
-    Willmore_flow flow(mesh, SolverTraits());
-    flow.step(tau, options);
+    Willmore_flow flow(mesh, job.tolerance, SolverTraits());
+    flow.step(tau);
     iterations = factorizations = 0;
     keep_least(seconds, [&] {
       for (int i = 0; i < steps; ++i) {
-        const CGP::Spin_report report = flow.step(tau, options);
+        const CGP::Spin_report report = flow.step(tau);
         iterations += report.iterations;
         factorizations += report.factorizations;
       }

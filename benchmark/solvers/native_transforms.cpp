@@ -9,12 +9,11 @@ namespace cgp_benchmark {
 // Not measured but made: the positions that all others are compared to.
 static void make_reference(const Job& job, const CGP::Mesh_view& mesh, Record& record)
 {
-  CGP::Dirac_options options;
-  options.tolerance = 1e-12;
   CGP::Spin_transformation_options own;
+  own.dirac.tolerance = 1e-12;
   own.solvers = cgp_test::Double_solver_traits();
   const CGP::Spin_result result =
-      CGP::Spin_transformation(mesh, own).transform(smooth_potential(mesh, job.amplitude), options);
+      CGP::Spin_transformation(mesh, own).transform(smooth_potential(mesh, job.amplitude));
   write_positions(job.reference, result.positions);
   record.add("residual", result.report.residual).add("gap", result.report.gap);
   record.add("iterations", result.report.iterations);

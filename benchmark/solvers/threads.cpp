@@ -39,10 +39,10 @@ static void measure_numeric(const Job& job, const CGP::Mesh_view& mesh, Record& 
 static void measure_whole_transformation(const Job& job, const CGP::Mesh_view& mesh, Record& record)
 {
   const CGP::Curvature_potential rho = smooth_potential(mesh, job.amplitude);
-  CGP::Dirac_options options;
-  options.tolerance = job.tolerance;
+  CGP::Spin_transformation_options options;
+  options.dirac.tolerance = job.tolerance;
   compare_threads(job, record, [&] {
-    if (!CGP::Spin_transformation(mesh).transform(rho, options).report)
+    if (!CGP::Spin_transformation(mesh, options).transform(rho).report)
       throw std::runtime_error("no convergence");
   });
 }

@@ -60,13 +60,12 @@ void measure_transform(const Job& job, const CGP::Mesh_view& mesh, Record& recor
   const CGP::Curvature_potential rho = smooth_potential(mesh, job.amplitude);
   CGP::Spin_transformation_options control;
   control.scales.bound = job.bound;
-  CGP::Dirac_options options;
-  options.tolerance = job.tolerance;
-  options.eigensolver = EigensolverTraits();
+  control.dirac.tolerance = job.tolerance;
+  control.dirac.eigensolver = EigensolverTraits();
   control.solvers = SolverTraits();
   CGP::Spin_report report;
   measure_whole(job, mesh, record, [&] {
-    CGP::Spin_result result = CGP::Spin_transformation(mesh, control).transform(rho, options);
+    CGP::Spin_result result = CGP::Spin_transformation(mesh, control).transform(rho);
     report = result.report;
     return std::move(result.positions);
   });

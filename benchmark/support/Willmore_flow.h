@@ -13,24 +13,26 @@ namespace CGP = Conformal_geometry_processing;
 /// Willmore flow, rho = -tau H on the vertices: the loop that flows consist of
 class Willmore_flow {
  public:
-  explicit Willmore_flow(const CGP::Mesh_view& mesh, const CGP::Spin_solvers& solvers = {})
-      : m_mesh(mesh), m_transformation(mesh, with(solvers))
+  /// \param tolerance of the eigenvectors
+  Willmore_flow(const CGP::Mesh_view& mesh, double tolerance, const CGP::Spin_solvers& solvers = {})
+      : m_mesh(mesh), m_transformation(mesh, with(tolerance, solvers))
   {}
 
   /// curvature, matrices, factors, eigenvector, positions and certificate
-  CGP::Spin_report step(double tau, const CGP::Dirac_options& options = {})
+  CGP::Spin_report step(double tau)
   {
     m_transformation.set_positions(m_mesh.positions());
     CGP::Spin_result result = m_transformation.transform(
-        CGP::Curvature_potential::on_vertices(-tau * CGP::mean_curvature(m_mesh)), options);
+        CGP::Curvature_potential::on_vertices(-tau * CGP::mean_curvature(m_mesh)));
     m_mesh.set_positions(std::move(result.positions));
     return result.report;
   }
 
  private:
-  static CGP::Spin_transformation_options with(const CGP::Spin_solvers& solvers)
+  static CGP::Spin_transformation_options with(double tolerance, const CGP::Spin_solvers& solvers)
   {
     CGP::Spin_transformation_options options;
+    options.dirac.tolerance = tolerance;
     options.solvers = solvers;
     return options;
   }

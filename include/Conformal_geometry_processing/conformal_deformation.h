@@ -178,7 +178,7 @@ Spin_report conformal_deformation(TriangleMesh& mesh, const TargetRange& targets
       deformation.deform(internal::read_control_points(
                              graph, targets, internal::geometry_traits<TriangleMesh>(np), function),
                          internal::asking(visitor));
-  internal::read_limits(np, result.report.limits);
+  result.report.limits = internal::parameter_or(np, internal_np::limits, result.report.limits);
   if (result.report) internal::write_spin_result(mesh, graph, result, np);
   return result.report;
 }

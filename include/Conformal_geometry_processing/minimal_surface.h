@@ -75,8 +75,8 @@ Spin_report minimal_surface(TriangleMesh& mesh,
   Spin_transformation_options own;
   own.boundary = condition;
   own.solvers = internal::spin_solvers(np);
-  const Spin_result result =
-      spin_to_minimal_surface(graph.view(), own, internal::dirac_options(np), "minimal_surface");
+  internal::read_dirac_options(np, own.dirac);
+  const Spin_result result = spin_to_minimal_surface(graph.view(), own, "minimal_surface");
   if (result.report) internal::write_spin_result(mesh, graph, result, np);
   return result.report;
 }

@@ -85,7 +85,7 @@ Points read_points(const TriangleMesh& mesh, PointMap points, const NamedParamet
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{fit}
 ///     \cgalParamDescription{what the search looks for and where it ends: `keep_curvature`,
-///                           `normal_weight`, `distance_tolerance`, `max_period_defect`. The other
+///                           `normal_weight`, `distance_tolerance`, `surface`. The other
 ///                           parameters take precedence}
 ///     \cgalParamType{`Nearest_spin_options`}
 ///     \cgalParamDefault{`Nearest_spin_options()`; with `vertex_scale_map` the curvature is kept}
@@ -153,9 +153,9 @@ Nearest_spin_report nearest_spin_transform(TriangleMesh& mesh, PointMap target_p
         CGAL::parameters::get_parameter(np, internal_np::boundary_direction);
     options.direction = {d.tangent, d.normal, d.binormal};
   }
-  internal::read_exactness_and_mollification(np, options);
+  internal::read_request(np, options.surface);
   if constexpr (internal::has_parameter<NamedParameters, internal_np::scale_bound_t>)
-    options.scales.bound = CGAL::parameters::get_parameter(np, internal_np::scale_bound);
+    options.surface.scales.bound = CGAL::parameters::get_parameter(np, internal_np::scale_bound);
   Nearest_spin_transformation nearest(
       graph.view(), internal::read_points(mesh, target_points, np, function), function, options);
   if constexpr (internal::has_parameter<NamedParameters, internal_np::vertex_scale_map_t>) {
@@ -164,13 +164,10 @@ Nearest_spin_report nearest_spin_transform(TriangleMesh& mesh, PointMap target_p
   }
   Spin_visitor silent;
   auto&& visitor = internal::parameter_or(np, CGAL::internal_np::visitor, silent);
-  Nearest_spin_result result =
-      nearest.transform(internal::dirac_options(np), internal::asking(visitor));
-  internal::read_limits(np, result.report.limits);
+  Nearest_spin_result result = nearest.transform(internal::asking(visitor));
   const double t = CGAL::parameters::choose_parameter(
       CGAL::parameters::get_parameter(np, internal_np::blend), 0.);
   if (t != 0 && result.report) result = nearest.blend(result, t);
-  internal::read_limits(np, result.report.limits);
   if (result.report) internal::write_spin_result(mesh, graph, result, np);
   Nearest_spin_report report;
   static_cast<Spin_report&>(report) = result.report;

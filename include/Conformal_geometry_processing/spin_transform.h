@@ -10,7 +10,6 @@
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
 
 #include <string>
-#include <utility>
 
 namespace Conformal_geometry_processing {
 namespace internal {
@@ -36,7 +35,7 @@ Spin_transformation_options spin_transformation_options(const Graph_view<Triangl
       "spin_transform(): unknown named parameter, see the manual for those it accepts");
   Spin_transformation_options options;
   options.boundary = boundary_condition(graph, np, function);
-  read_exactness_and_mollification(np, options);
+  read_request(np, options);
   read_scale_control(graph, np, options);
   options.exact_conformal_class = CGAL::parameters::choose_parameter(
       CGAL::parameters::get_parameter(np, internal_np::exact_conformal_class), false);
@@ -250,12 +249,10 @@ Spin_report spin_transform(TriangleMesh& mesh, CurvaturePotentialMap rho,
   const Curvature_potential potential = internal::read_curvature_potential(graph, rho);
   Spin_visitor silent;
   auto&& visitor = internal::parameter_or(np, CGAL::internal_np::visitor, silent);
-  Spin_transformation transformation(
-      graph.view(), internal::spin_transformation_options(graph, np, function), function);
-  internal::read_limits(np, transformation.limits());
   const Spin_result result =
-      std::move(transformation)
-          .transform(potential, internal::dirac_options(np), internal::asking(visitor));
+      Spin_transformation(graph.view(), internal::spin_transformation_options(graph, np, function),
+                          function)
+          .transform(potential, internal::asking(visitor));
   if (result.report) internal::write_spin_result(mesh, graph, result, np);
   return result.report;
 }

@@ -60,12 +60,10 @@ internal::Component_reports<Spin_report> spin_transform_components(
   Spin_visitor silent;
   auto&& visitor = internal::parameter_or(np, CGAL::internal_np::visitor, silent);
   const auto transformed = [&](const Graph_view<TriangleMesh>& component) {
-    Spin_transformation transformation(
-        component.view(), internal::spin_transformation_options(component, np, function), function);
-    internal::read_limits(np, transformation.limits());
-    return std::move(transformation)
-        .transform(internal::read_curvature_potential(component, rho), internal::dirac_options(np),
-                   internal::asking(visitor));
+    return Spin_transformation(component.view(),
+                               internal::spin_transformation_options(component, np, function),
+                               function)
+        .transform(internal::read_curvature_potential(component, rho), internal::asking(visitor));
   };
   const auto reports = internal::for_each_component(
       graph, function,

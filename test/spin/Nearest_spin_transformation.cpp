@@ -191,14 +191,13 @@ TEST(Nearest_spin_transformation, refuses_to_be_called_by_its_own_visitor)
       undisturbed(mesh, bending_spins(mesh));
   const CGP::Nearest_spin_result expected = undisturbed.transform();
   int refused = 0;
-  const CGP::Nearest_spin_result result =
-      nearest.transform({}, [&](const CGP::Eigensolver_progress&) {
-        EXPECT_THROW((void)nearest.transform(), CGP::Precondition_error);
-        EXPECT_THROW((void)nearest.blend(expected, .5), CGP::Precondition_error);
-        EXPECT_THROW(nearest.scale_lengths(Eigen::VectorXd::Ones(mesh.size_of_vertices())),
-                     CGP::Precondition_error);
-        return ++refused > 0;
-      });
+  const CGP::Nearest_spin_result result = nearest.transform([&](const CGP::Eigensolver_progress&) {
+    EXPECT_THROW((void)nearest.transform(), CGP::Precondition_error);
+    EXPECT_THROW((void)nearest.blend(expected, .5), CGP::Precondition_error);
+    EXPECT_THROW(nearest.scale_lengths(Eigen::VectorXd::Ones(mesh.size_of_vertices())),
+                 CGP::Precondition_error);
+    return ++refused > 0;
+  });
   EXPECT_GT(refused, 0);
   EXPECT_EQ(result.positions, expected.positions);
 }

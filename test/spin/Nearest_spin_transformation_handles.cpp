@@ -39,7 +39,7 @@ TEST(Nearest_spin_transformation_of_handles, closes_up_as_spin_transformations_d
   EXPECT_LT(result.report.closure_residual, .005);
   EXPECT_LT(result.report.conformality.quasi_conformal.mean, 1.03);
   CGP::Nearest_spin_options open = closed;
-  open.exactness.reset();
+  open.surface.exactness.reset();
   CGP::Nearest_spin_transformation plain(mesh, deformed(mesh), "test", open);
   const CGP::Nearest_spin_result sheared = plain.transform();
   EXPECT_GT(sheared.report.closure_residual, 10 * result.report.closure_residual);
@@ -52,7 +52,7 @@ TEST(Nearest_spin_transformation_of_handles, takes_thin_faces)
   const Mesh_view clean = torus(3, 1, 48, 24), mesh = with_thin_faces(clean, 0);
   EXPECT_THROW(CGP::Nearest_spin_transformation(mesh, deformed(mesh)), CGP::Precondition_error);
   CGP::Nearest_spin_options options;
-  options.mollification = 1e-6;
+  options.surface.mollification = 1e-6;
   options.keep_curvature = true;
   CGP::Nearest_spin_options plain;
   plain.keep_curvature = true;

@@ -37,10 +37,10 @@ CGP::Nearest_spin_options within(double tolerance)
 
 template <class SolverTraits = CGP::Default_solver_traits>
 Nearest_spin_result nearest(const Mesh_view& mesh, const Points& target,
-                            const CGP::Nearest_spin_options& options = within(0))
+                            CGP::Nearest_spin_options options = within(0))
 {
-  return CGP::Nearest_spin_transformation(mesh, target, "test", with_solvers<SolverTraits>(options))
-      .transform();
+  options.surface = with_solvers<SolverTraits>(options.surface);
+  return CGP::Nearest_spin_transformation(mesh, target, "test", options).transform();
 }
 
 Points moved_by_a_similarity(const Points& p)
@@ -219,7 +219,7 @@ TEST(Nearest_spin_transformation_search, keeps_lengths_within_a_bound)
   const Mesh_view mesh = bumpy_sphere(2);
   const Points target = inverted(mesh, Eigen::Vector3d(0.4, 0.3, 1.8)).positions();
   CGP::Nearest_spin_options options;
-  options.scales.bound = 1.5;
+  options.surface.scales.bound = 1.5;
   const Nearest_spin_result free = nearest(mesh, target), bounded = nearest(mesh, target, options);
   EXPECT_TRUE(bounded.report);
   EXPECT_LE(bounded.report.scales.excess(), 1);

@@ -58,9 +58,8 @@ struct Closing {
   Closing(const Mesh_view& mesh, double amplitude) : transformation(mesh)
   {
     const Eigen::VectorXd wanted = exact_wave(transformation, amplitude);
-    CGP::Dirac_options options;
-    options.tolerance = 1e-11;
-    open = transformation.trial_step({On::vertices, wanted}, options);
+    transformation.dirac().tolerance = 1e-11;
+    open = transformation.trial_step({On::vertices, wanted});
     rho = transformation.domain().unit() * (wanted.array() + open.report.eigenvalue).matrix();
   }
 
@@ -140,10 +139,7 @@ TEST(Closed_spins, are_near_the_eigenvector_of_the_rho_that_they_tell)
     Closing closing(btorus(16), amplitude);
     Transformation& t = closing.transformation;
     const Closed_spins closed = closing.closed(1e-8);
-    CGP::Dirac_options options;
-    options.tolerance = 1e-11;
-    const CGP::Spin_result of_rho =
-        t.trial_step({On::vertices, closed.rho / t.domain().unit()}, options);
+    const CGP::Spin_result of_rho = t.trial_step({On::vertices, closed.rho / t.domain().unit()});
     errors.push_back(std::sqrt(1 - std::pow(t.system().overlap(closed.lambda, of_rho.lambda), 2)));
   }
   EXPECT_LT(errors[0], 1e-3);
@@ -208,7 +204,7 @@ TEST(Closed_spins, are_not_looked_for_after_a_step_that_was_cancelled)
   Transformation transformation(btorus(12));
   const Eigen::VectorXd rho = exact_wave(transformation, .5);
   const auto stop = [](const CGP::Eigensolver_progress&) { return false; };
-  const CGP::Spin_result step = transformation.closed_step(rho, {}, stop);
+  const CGP::Spin_result step = transformation.closed_step(rho, stop);
   EXPECT_TRUE(step.report.cancelled);
   EXPECT_EQ(step.report.period_defect, 0);
 }

@@ -81,9 +81,8 @@ class Derivative {
 
   CGP::Spin_result at(double t)
   {
-    CGP::Dirac_options options;
-    options.tolerance = 1e-13;
-    CGP::Spin_result r = transformation.step({m_rho.on, m_rho.values + t * direction}, options);
+    transformation.dirac().tolerance = 1e-13;
+    CGP::Spin_result r = transformation.step({m_rho.on, m_rho.values + t * direction});
     EXPECT_TRUE(r.report.converged) << r.report.residual;
     return r;
   }

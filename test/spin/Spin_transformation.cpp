@@ -182,12 +182,12 @@ TEST(Spin_transformation, without_convergence_says_so)
 {
   const Mesh_view mesh = icosphere(2);
   CGP::Spin_transformation transformation(mesh);
-  CGP::Dirac_options options;
-  options.max_iterations = 1;
-  EXPECT_FALSE(transformation.transform(smooth(mesh), options).report);
-  options = {};
-  options.max_substeps = 1;
-  EXPECT_FALSE(transformation.transform(smooth(mesh, 6), options).report);
+  transformation.dirac().max_iterations = 1;
+  EXPECT_FALSE(transformation.transform(smooth(mesh)).report);
+  transformation.dirac() = {};
+  transformation.dirac().max_substeps = 1;
+  EXPECT_FALSE(transformation.transform(smooth(mesh, 6)).report);
+  transformation.dirac() = {};
   EXPECT_TRUE(transformation.transform(smooth(mesh)).report);
 }
 

@@ -39,15 +39,14 @@ INSTANTIATE_TEST_SUITE_P(Of_every_kind, Invariance_with_a_boundary, testing::Ran
 
 TEST_P(Invariance_with_a_boundary, under_doing_it_again)
 {
-  CGP::Dirac_options options;
-  options.tolerance = 1e-10;
   CGP::Spin_transformation transformation(mesh, {condition});
+  transformation.dirac().tolerance = 1e-10;
   for (int i = 0; i < 2; ++i) {
-    const CGP::Spin_result r = transformation.transform(rho, options);
+    const CGP::Spin_result r = transformation.transform(rho);
     EXPECT_EQ(r.positions, expected.positions);
     EXPECT_EQ(r.lambda, expected.lambda);
   }
-  const CGP::Spin_result last = std::move(transformation).transform(rho, options);
+  const CGP::Spin_result last = std::move(transformation).transform(rho);
   EXPECT_EQ(last.positions, expected.positions);
 }
 
@@ -102,12 +101,11 @@ TEST_P(Invariance_with_a_boundary, under_other_lengths_of_directions_and_normals
 TEST_P(Invariance_with_a_boundary, under_a_move_of_the_mesh_and_back)
 {
   if (condition.kind == Boundary_condition::Kind::positions) return;  // cannot move
-  CGP::Dirac_options options;
-  options.tolerance = 1e-10;
   CGP::Spin_transformation transformation(perturbed(mesh, .01, 9), {condition});
-  (void)transformation.transform(rho, options);
+  transformation.dirac().tolerance = 1e-10;
+  (void)transformation.transform(rho);
   transformation.set_positions(mesh.positions());
-  const CGP::Spin_result r = transformation.transform(rho, options);
+  const CGP::Spin_result r = transformation.transform(rho);
   EXPECT_LT((r.positions - expected.positions).cwiseAbs().maxCoeff(), 1e-8);
 }
 

@@ -11,12 +11,10 @@ namespace cgp_test::spin_transformation_boundary_solvers_cholmod_tests {
 template <class Solver_traits>
 CGP::Spin_result result(const Boundary_condition& condition)
 {
-  CGP::Dirac_options options;
-  options.tolerance = 1e-10;
-  return CGP::Spin_transformation(
-             uneven_cap(),
-             with_solvers<Solver_traits, CGP::Spin_transformation_options>({condition}))
-      .transform(rho_of_uneven_cap(), options);
+  CGP::Spin_transformation_options options{condition};
+  options.dirac.tolerance = 1e-10;
+  return CGP::Spin_transformation(uneven_cap(), with_solvers<Solver_traits>(options))
+      .transform(rho_of_uneven_cap());
 }
 
 template <class Solver_traits>

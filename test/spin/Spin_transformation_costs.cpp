@@ -33,13 +33,13 @@ void expect_counted(const CGP::Spin_report& report)
 }
 
 /// of the first transformation, and of one more
-void expect_counted(const Mesh_view& mesh, double amplitude, const CGP::Dirac_options& dirac = {},
+void expect_counted(const Mesh_view& mesh, double amplitude,
                     const CGP::Spin_transformation_options& options = {})
 {
   CGP::Spin_transformation transformation(mesh, with_solvers<Counted_solver_traits>(options));
   for (const double factor : {1., .9}) {
     Counted_solver_traits::reset();
-    expect_counted(transformation.transform(waves(mesh, factor * amplitude), dirac).report);
+    expect_counted(transformation.transform(waves(mesh, factor * amplitude)).report);
   }
 }
 
@@ -54,10 +54,10 @@ TEST(Spin_transformation_costs, are_all_in_the_report)
 
 TEST(Spin_transformation_costs, are_all_in_the_report_of_other_problems)
 {
-  CGP::Dirac_options generalized, smallest;
-  generalized.problem = CGP::Dirac_options::Eigenproblem::generalized;
-  smallest.branch = CGP::Dirac_options::Branch::smallest;
-  for (const CGP::Dirac_options& options : {generalized, smallest})
+  CGP::Spin_transformation_options generalized, smallest;
+  generalized.dirac.problem = CGP::Dirac_options::Eigenproblem::generalized;
+  smallest.dirac.branch = CGP::Dirac_options::Branch::smallest;
+  for (const CGP::Spin_transformation_options& options : {generalized, smallest})
     for (const double amplitude : {.3, 1.}) {
       expect_counted(icosphere(3), amplitude, options);
       expect_counted(dumbbell(2), amplitude, options);
@@ -68,8 +68,8 @@ TEST(Spin_transformation_costs, are_all_in_the_report_of_intrinsic_triangulation
 {
   CGP::Spin_transformation_options options;
   options.mollification = 1e-3;
-  expect_counted(with_thin_faces(icosphere(3), 1e-6), 1, {}, options);
-  expect_counted(with_thin_faces(btorus(16), 1e-6), 1, {}, options);
+  expect_counted(with_thin_faces(icosphere(3), 1e-6), 1, options);
+  expect_counted(with_thin_faces(btorus(16), 1e-6), 1, options);
 }
 
 TEST(Spin_transformation_costs, are_all_in_the_report_of_new_positions_of_the_boundary)
@@ -87,7 +87,7 @@ TEST(Spin_transformation_costs, are_all_in_the_report_of_new_positions_of_the_bo
   for (const double weight : {10., std::numeric_limits<double>::infinity()}) {
     CGP::Spin_transformation_options options;
     options.boundary = Boundary_condition::positions(p, n, weight);
-    expect_counted(mesh, .5, {}, options);
+    expect_counted(mesh, .5, options);
   }
 }
 
@@ -115,9 +115,9 @@ TEST(Spin_transformation_costs, are_all_in_the_report_of_the_nearest_one)
       }
       CGP::Nearest_spin_options options;
       options.keep_curvature = keep_curvature;
+      options.surface = with_solvers<Counted_solver_traits>();
       Counted_solver_traits::reset();
-      CGP::Nearest_spin_transformation nearest(mesh, mu, "test",
-                                               with_solvers<Counted_solver_traits>(options));
+      CGP::Nearest_spin_transformation nearest(mesh, mu, "test", options);
       expect_counted(nearest.transform().report);
     }
 }

@@ -32,10 +32,8 @@ class Flow {
 
   void step(double tau)
   {
-    CGP::Dirac_options options;
-    options.tolerance = 1e-8;
     const CGP::Spin_result result = transformation.transform(
-        CGP::Curvature_potential::on_vertices(-tau * CGP::mean_curvature(m_mesh)), options);
+        CGP::Curvature_potential::on_vertices(-tau * CGP::mean_curvature(m_mesh)));
     EXPECT_TRUE(result.report.converged);
     m_mesh.set_positions(result.positions);
   }
@@ -99,13 +97,12 @@ TEST(Spin_transformation_flow, starts_from_positions_as_a_new_object_would)
         mapped(second, [unit](const Eigen::Vector3d& p) { return Eigen::Vector3d(unit * p); });
     const auto rho =
         CGP::Curvature_potential::on_vertices(rho_of_section_3_on_vertices(mesh) / unit);
-    CGP::Dirac_options options;
-    options.tolerance = 1e-10;
     CGP::Spin_transformation transformation(first), other(mesh);
+    transformation.dirac().tolerance = other.dirac().tolerance = 1e-10;
     (void)transformation.transform(rho);
     transformation.set_positions(mesh.positions());
-    const CGP::Spin_result moved = transformation.transform(rho, options);
-    const CGP::Spin_result expected = other.transform(rho, options);
+    const CGP::Spin_result moved = transformation.transform(rho);
+    const CGP::Spin_result expected = other.transform(rho);
     EXPECT_LT(greatest_displacement(moved.positions, expected.positions), 1e-8 * unit);
     EXPECT_NEAR(moved.report.eigenvalue, expected.report.eigenvalue, 1e-9 / unit);
     EXPECT_NEAR(moved.report.closure_residual, expected.report.closure_residual, 1e-9);

@@ -94,10 +94,9 @@ TEST(Mollified_spin_transformation, of_a_Delaunay_mesh_is_the_spin_transformatio
   for (const bool on_faces : {false, true}) {
     const Curvature_potential rho =
         on_faces ? Curvature_potential::on_faces(rho_of_section_3_on_faces(mesh)) : rho_of(mesh);
-    CGP::Dirac_options options;
-    options.tolerance = 1e-10;
-    const CGP::Spin_result expected = Transformation(mesh).transform(rho, options),
-                           result = Transformation(mesh, mollified()).transform(rho, options);
+    Transformation usual(mesh), of_lengths(mesh, mollified());
+    usual.dirac().tolerance = of_lengths.dirac().tolerance = 1e-10;
+    const CGP::Spin_result expected = usual.transform(rho), result = of_lengths.transform(rho);
     EXPECT_TRUE(result.report);
     EXPECT_LT((result.positions - expected.positions).cwiseAbs().maxCoeff(), 1e-9);
     EXPECT_LT(greatest_difference(result.lambda, expected.lambda), 1e-9);
@@ -160,7 +159,7 @@ TEST(Mollified_spin_transformation, stops_when_it_is_told_to)
   const Mesh_view mesh = icosphere(1);
   const CGP::Spin_result result =
       Transformation(mesh, mollified())
-          .transform(rho_of(mesh), {}, [](const CGP::Eigensolver_progress&) { return false; });
+          .transform(rho_of(mesh), [](const CGP::Eigensolver_progress&) { return false; });
   EXPECT_TRUE(result.report.cancelled);
   EXPECT_FALSE(result.report);
 }

@@ -50,12 +50,10 @@ void expect_same_bits(const CGP::Spin_result& a, const CGP::Spin_result& b)
 void expect_agreement(const Mesh_view& mesh, const Curvature_potential& rho,
                       const Boundary_condition& condition = {})
 {
-  CGP::Dirac_options tight;
-  tight.tolerance = 1e-12;
-  const CGP::Spin_result a =
-      Transformation(mesh, options_with(shares[0], condition)).transform(rho, tight);
-  const CGP::Spin_result b =
-      Transformation(mesh, options_with(shares[1], condition)).transform(rho, tight);
+  Transformation usual(mesh, options_with(shares[0], condition)),
+      mollified(mesh, options_with(shares[1], condition));
+  usual.dirac().tolerance = mollified.dirac().tolerance = 1e-12;
+  const CGP::Spin_result a = usual.transform(rho), b = mollified.transform(rho);
   EXPECT_TRUE(a.report && b.report);
   EXPECT_EQ(b.report.mollification.flipped_edges, 0);
   EXPECT_LT((a.positions - b.positions).cwiseAbs().maxCoeff(), 1e-10);
@@ -111,7 +109,7 @@ TEST(Spin_transformation_surfaces, is_as_before_after_it_was_cancelled_on_a_toru
     int asked = 0;
     const int half = expected.report.iterations / 2;
     const CGP::Spin_result cancelled = transformation.transform(
-        rho, {}, [&](const CGP::Eigensolver_progress&) { return asked++ < half; });
+        rho, [&](const CGP::Eigensolver_progress&) { return asked++ < half; });
     EXPECT_TRUE(cancelled.report.cancelled);
     EXPECT_FALSE(cancelled.report);
     EXPECT_EQ(transformation.positions(), mesh.positions());
@@ -140,13 +138,13 @@ TEST(Spin_transformation_surfaces, refuses_to_be_called_by_its_own_visitor)
         ++refused;
         return true;
       };
-      expect_same_bits(transformation.transform(rho, {}, catching), expected);
+      expect_same_bits(transformation.transform(rho, catching), expected);
       EXPECT_GT(refused, 0);
       const auto throwing = [&](const CGP::Eigensolver_progress&) {
         call();
         return true;
       };
-      EXPECT_THROW((void)transformation.transform(rho, {}, throwing), CGP::Precondition_error);
+      EXPECT_THROW((void)transformation.transform(rho, throwing), CGP::Precondition_error);
       expect_same_bits(transformation.transform(rho), expected);
     }
   }

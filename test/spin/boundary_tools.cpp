@@ -54,7 +54,9 @@ double shape_error(const Points& a, const Points& b)
 CGP::Spin_result transformed(const Mesh_view& mesh, const Boundary_condition& condition,
                              const Curvature_potential& rho, const CGP::Dirac_options& options)
 {
-  return CGP::Spin_transformation(mesh, {condition, std::nullopt}).transform(rho, options);
+  CGP::Spin_transformation transformation(mesh, {condition, std::nullopt});
+  transformation.dirac() = options;
+  return transformation.transform(rho);
 }
 
 double mean_Q(const CGP::Spin_result& r)

@@ -23,12 +23,13 @@ namespace CGP = Conformal_geometry_processing;
 using CGP::Curvature_potential;
 
 template <class Solver_traits, class Eigensolver_traits = CGP::Lobpcg_eigensolver_traits>
-CGP::Spin_result transformed(const Mesh_view& mesh, CGP::Dirac_options options = {})
+CGP::Spin_result transformed(const Mesh_view& mesh, const CGP::Dirac_options& options = {})
 {
-  options.eigensolver = Eigensolver_traits();
   CGP::Spin_transformation transformation(mesh, with_solvers<Solver_traits>());
+  transformation.dirac() = options;
+  transformation.dirac().eigensolver = Eigensolver_traits();
   return transformation.transform(
-      Curvature_potential::on_vertices(rho_of_section_3_on_vertices(mesh)), options);
+      Curvature_potential::on_vertices(rho_of_section_3_on_vertices(mesh)));
 }
 
 /// of two results on a mesh of size about one

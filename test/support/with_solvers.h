@@ -5,7 +5,7 @@
 
 namespace cgp_test {
 
-/// options of a transformation, a flow or a search, with solvers of some traits
+/// options of a transformation or a flow, with solvers of some traits
 template <class SolverTraits,
           class Options = Conformal_geometry_processing::Spin_transformation_options>
 Options with_solvers(Options options = {})

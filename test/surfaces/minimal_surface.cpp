@@ -50,10 +50,10 @@ TEST(Minimal_surface, of_a_cylinder_is_the_catenoid_among_the_many_with_its_tang
 TEST(Minimal_surface, with_the_tangents_of_an_enneper_surface_is_that_to_rounding)
 {
   const Mesh_view plane = disk(8);
-  CGP::Dirac_options options;
-  options.tolerance = 1e-13;
-  const CGP::Spin_result result = CGP::spin_to_minimal_surface(
-      plane, {CGP::Boundary_condition::tangents(enneper_tangents(plane))}, options);
+  CGP::Spin_transformation_options options{
+      CGP::Boundary_condition::tangents(enneper_tangents(plane))};
+  options.dirac.tolerance = 1e-13;
+  const CGP::Spin_result result = CGP::spin_to_minimal_surface(plane, options);
   ASSERT_TRUE(result.report);
   EXPECT_LT(CGP::align(result.positions, enneper(plane).positions()).max, 1e-12);
 }

@@ -131,14 +131,11 @@ void note_unlike(const CGP::Mesh_view& a, const CGP::Mesh_view& b, const Blend_o
 CGP::Curvature_potential searched_difference(const Trio& meshes, const Blend_options& options,
                                              const Session& session)
 {
-  CGP::Dirac_options dirac;
-  dirac.tolerance = session.options().tolerance;
-  dirac.random_seed = session.options().seed;
   CGP::Curvature_potential rho;
   const auto solve = [&](const Go_further& go_further) {
-    rho = CGP::nearest_curvature_difference(meshes.a, meshes.b.positions(),
-                                            options.distance_tolerance, dirac,
-                                            std::cref(go_further), "blend");
+    rho = CGP::nearest_curvature_difference(
+        meshes.a, meshes.b.positions(), options.distance_tolerance,
+        eigenvector_of(session.options()), std::cref(go_further), "blend");
     return Spin_solution();
   };
   watched(solve, session, "difference, ");
@@ -156,15 +153,14 @@ Difference difference(const Trio& meshes, const Blend_options& options, Session&
 }
 
 Spin_problem problem_at(double t, const Trio& meshes, const Difference& whole,
-                        const Blend_options& options)
+                        const Blend_options& options, const Common_options& common)
 {
-  Spin_problem problem;
-  problem.rho = {whole.rho.on, t * whole.rho.values};
-  problem.scales.bound = options.scale_bound;
+  Spin_problem problem{{whole.rho.on, t * whole.rho.values}, request_of(options.spin, common)};
+  problem.request.scales.bound = options.scale_bound;
   if (CGP::topology(meshes.start).is_closed()) return problem;
-  problem.boundary = CGP::Boundary_condition::binormals(
+  problem.request.boundary = CGP::Boundary_condition::binormals(
       CGP::turned_binormals(meshes.a, whole.b_near_a, meshes.start, t));
-  problem.closes_loops = false;  // the prescribed data determine the loops
+  problem.request.exactness.reset();  // the prescribed data determine the loops
   return problem;
 }
 
@@ -181,9 +177,9 @@ std::vector<Frame> solve_frames(const Trio& meshes, const Blend_options& options
   std::vector<Frame> frames;
   for (const double t : values_of_t(options)) {
     if (!frames.empty()) session.end_stage("frames");
-    const Spin_problem problem = problem_at(t, meshes, whole, options);
+    const Spin_problem problem = problem_at(t, meshes, whole, options, session.options());
     const auto solve = [&](const Go_further& go_further) {
-      return solve_spin(meshes.start, problem, options.spin, session.options(), go_further);
+      return solve_spin(meshes.start, problem, go_further);
     };
     frames.push_back({t, problem, watched(solve, session, "t = " + text_of(t, 4) + ", ")});
   }
@@ -224,7 +220,7 @@ std::vector<Frame> verified_frames(const Surface_input& start, const Trio& meshe
   session.begin_stage();
   session.report().set("result/t", options.t);
   const Frame& last = frames.back();
-  tell_solution(start, last.problem.boundary, last.solution.report, session.outcome());
+  tell_solution(start, last.problem.request.boundary, last.solution.report, session.outcome());
   tell_frames(frames, meshes.b, session.report());
   for (const Frame& frame : frames)
     conclude(frame.solution, options.spin, "a --t closer to 0", session,

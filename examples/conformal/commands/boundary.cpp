@@ -135,17 +135,6 @@ CGP::Curvature_potential potential(const Surface_input& input, const Boundary_op
   return CGP::Curvature_potential::on_vertices(-unit * CGP::mean_curvature(input.mesh));
 }
 
-/// \param rho in 1/length
-Spin_problem problem_of(CGP::Curvature_potential rho, CGP::Boundary_condition condition,
-                        const Boundary_options& options)
-{
-  Spin_problem problem;
-  problem.rho = std::move(rho);
-  problem.boundary = std::move(condition);
-  problem.minimal = options.minimal;
-  return problem;
-}
-
 /// what is easier to have than a condition; any binormals exist, where no minimal surface is wanted
 std::string easier_than(const CGP::Boundary_condition& condition, bool is_minimal)
 {
@@ -174,9 +163,9 @@ void boundary(const Boundary_options& options, Session& session)
   const std::string easier = easier_than(condition, options.minimal);
   each_component(input, session, [&](const Component& component, Session& own) {
     require_boundary(component.input);
-    const Spin_problem problem =
-        problem_of(on_component(surface.rho, component, 1 / unit),
-                   on_component(condition, input.mesh, component), options);
+    Spin_problem problem{on_component(surface.rho, component, 1 / unit),
+                         request_of(options.spin, session.options()), options.minimal};
+    problem.request.boundary = on_component(condition, input.mesh, component);
     surface.set(component, deform(component.input, problem, options.spin, easier, own));
   });
   write_result(input, surface, session, options.spin.lambda);

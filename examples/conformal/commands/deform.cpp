@@ -129,10 +129,10 @@ void deform(const Deform_options& options, Session& session)
       own.conclude(judge({component.input.mesh.positions()}, options.limits, ""), On_fault::refuse);
       return;
     }
-    problem.scale_bound = options.scale_bound;
-    problem.position_weight = options.weight;
-    problem.mollification = options.mollification.value_or(0);
-    if (region.size() > 0) problem.region = region(component.vertices);
+    problem.request.surface.scales.bound = options.scale_bound;
+    problem.request.surface.mollification = share_of(options.mollification);
+    if (options.weight) problem.request.position_weight = *options.weight;
+    if (region.size() > 0) problem.request.region = region(component.vertices);
     const Deformation_solution solution = deform_surface(component.input, problem, options, own);
     surface.set(component, solution.spin);
     surface.rho.values(component.vertices) = unit * solution.rho.values;

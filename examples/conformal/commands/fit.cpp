@@ -44,11 +44,8 @@ const char* const fit_about =
 struct Fit_options {
   Spin_options spin;  ///< what this command has in common with that; input is the source
   std::string target;
-  bool keep_curvature = false;  ///< of the target, whatever the distance
-  double normal_weight = 1;     ///< how much the normals of the target count
-  double distance_tolerance = Fit_problem().distance_tolerance;
-  std::optional<double> scale_bound;  ///< none: the lengths are those of the other surface
-  double blend = 0;                   ///< 0 is conformal, 1 nearest to the target
+  CGP::Nearest_spin_options request;
+  double blend = 0;   ///< 0 is conformal, 1 nearest to the target
   std::string scale;  ///< a formula of factors for the scales of the target, none if empty
   Boundary_choice boundary = Boundary_choice::tangents;  ///< taken from the target; not free
 };
@@ -62,17 +59,17 @@ void add_options(CLI::App& command, Fit_options& fit, Common_options& common)
                   "t in (1 - t) lambda + t mu, 0 for conformal, 1 for nearest to the target")
       ->check(finite)
       ->capture_default_str();
-  command.add_flag("--keep-curvature", fit.keep_curvature,
+  command.add_flag("--keep-curvature", fit.request.keep_curvature,
                    "keep the curvature of the target, and do not search for the nearest surface");
   advanced(command)
-      .add_option("--normal-weight", fit.normal_weight,
+      .add_option("--normal-weight", fit.request.normal_weight,
                   "how much normals count beside positions; 0 comes nearest in positions, if need "
                   "be by wrinkles")
       ->check(finite)
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
-  add_distance_tolerance(command, fit.distance_tolerance);
-  add_max_scale(command, fit.scale_bound);
+  add_distance_tolerance(command, fit.request.distance_tolerance);
+  add_max_scale(command, fit.request.surface.scales.bound);
   command
       .add_option("--scale-expression", fit.scale,
                   "keeps the curvature, and multiplies the scales |mu|^2 of the target that are "
@@ -155,7 +152,7 @@ Fit_solution solve(const Surface_input& input, const Fit_problem& problem, Sessi
   Fit_solution solution;
   solution.spin = watched(
       [&](const Go_further& go_further) {
-        solution = solve_fit(input.mesh, problem, session.options(), go_further);
+        solution = solve_fit(input.mesh, problem, go_further);
         return std::move(solution.spin);
       },
       session);
@@ -180,13 +177,12 @@ CGP::Boundary_condition used_condition(const CGP::Boundary_condition& given,
 Fit_solution fit_surface(const Surface_input& input, const CGP::Boundary_condition& boundary,
                          Fit_problem problem, const Fit_options& options, Session& session)
 {
-  problem.direction = boundary.direction;
-  problem.keep_curvature = options.keep_curvature;
-  problem.normal_weight = options.normal_weight;
-  problem.distance_tolerance = options.distance_tolerance;
-  problem.scale_bound = options.scale_bound;
+  problem.request = options.request;
+  problem.request.direction = boundary.direction;
+  problem.request.surface.mollification = share_of(options.spin.mollification);
+  problem.request.surface.dirac = eigenvector_of(session.options());
+  problem.request.surface.limits = spin_limits(options.spin.limits);
   problem.blend = options.blend;
-  problem.mollification = options.spin.mollification.value_or(0);
   Fit_solution solution = solve(input, problem, session);
   session.begin_stage();
   tell_target(input.mesh, CGP::Mesh_view(problem.target, input.mesh.corners()), solution, session);

@@ -95,7 +95,8 @@ CGP::internal::Scale_control scale_control(const Surface_input& input, const Sca
 void require_possible(const Surface_input& input, const Spin_options& spin)
 {
   require_boundary_to_keep(input, spin.boundary);
-  if (spin.problem == Eigenproblem::generalized && !CGP::topology(input.mesh).is_closed())
+  if (spin.problem == CGP::Dirac_options::Eigenproblem::generalized &&
+      !CGP::topology(input.mesh).is_closed())
     throw unsuitable(
         input.file.path,
         "the generalized problem wants a closed surface; try: --advanced problem=standard");
@@ -113,17 +114,16 @@ std::string easier(const Spin_options& spin)
 }
 
 /// \param rho in 1/length
-Spin_problem problem_of(CGP::Curvature_potential rho, const Spin_options& spin)
+Spin_problem problem_of(CGP::Curvature_potential rho, const Spin_options& spin,
+                        const Common_options& common)
 {
-  if (spin.problem == Eigenproblem::generalized && rho.on == CGP::Curvature_potential::On::vertices)
+  if (spin.problem == CGP::Dirac_options::Eigenproblem::generalized &&
+      rho.on == CGP::Curvature_potential::On::vertices)
     throw Failure(Exit_code::usage, "the generalized problem wants rho on faces; try: --on faces");
-  Spin_problem problem;
-  problem.rho = std::move(rho);
-  problem.scales.bound = spin.scales.bound;
-  problem.boundary = kept_boundary(spin.boundary);
-  problem.exact_class = spin.exact_class;
-  problem.closes_loops = !spin.open_handles;
-  problem.mollification = spin.mollification.value_or(0);
+  Spin_problem problem{std::move(rho), request_of(spin, common)};
+  problem.request.scales.bound = spin.scales.bound;
+  problem.request.boundary = kept_boundary(spin.boundary);
+  problem.request.mollification = share_of(spin.mollification);
   if (!spin.mollification) problem.second_try = 1e-6;
   return problem;
 }
@@ -153,9 +153,11 @@ void spin(const Spin_options& options, Session& session)
     require_possible(component.input, options);
     if (!has_effect && CGP::topology(component.input.mesh).is_closed())
       note_constant_rho(on_component(surface.rho, component, 1), own);
-    Spin_problem problem = problem_of(on_component(surface.rho, component, 1 / unit), options);
-    if (scales.factors.size() > 0) problem.scales.factors = scales.factors(component.vertices);
-    if (scales.weights.size() > 0) problem.scales.weights = scales.weights(component.vertices);
+    Spin_problem problem =
+        problem_of(on_component(surface.rho, component, 1 / unit), options, session.options());
+    CGP::internal::Scale_control& own_scales = problem.request.scales;
+    if (scales.factors.size() > 0) own_scales.factors = scales.factors(component.vertices);
+    if (scales.weights.size() > 0) own_scales.weights = scales.weights(component.vertices);
     surface.set(component, deform(component.input, problem, options, easier(options), own));
   });
   write_result(input, surface, session, options.lambda);

@@ -5,6 +5,7 @@
 #include "conformal/input/Rho_options.h"
 #include "conformal/report/Verification_limits.h"
 
+#include <Conformal_geometry_processing/spin/Dirac_solution.h>
 #include <Conformal_geometry_processing/spin/Scale_control.h>
 
 #include <optional>
@@ -13,8 +14,6 @@
 namespace conformal {
 
 namespace CGP = Conformal_geometry_processing;
-
-enum class Eigenproblem { standard, generalized };
 
 /// Control of scale: at most one of each pair of sources is not empty
 struct Scale_options {
@@ -29,7 +28,7 @@ struct Spin_options {
   Rho_options rho;
   Boundary_choice boundary = Boundary_choice::free;
   std::string lambda;  ///< the name of the vertex properties, none if empty
-  Eigenproblem problem = Eigenproblem::standard;
+  CGP::Dirac_options::Eigenproblem problem = CGP::Dirac_options::Eigenproblem::standard;
   bool force = false;
   std::optional<double> mollification;  ///< share of the mean edge; 0: never, none: where it helps
   bool open_handles = false;  ///< rho is applied as it is, though it opens handles and holes

@@ -66,7 +66,7 @@ std::string easier_by_amplitude(const Surface_input& input, const Spin_problem& 
       objection(refused.report, refused.positions, options.limits, "").empty())
     return easier;
   const double amplitude =
-      options.rho.amplitude * suggested_factor(input.mesh, problem, options, session);
+      options.rho.amplitude * suggested_factor(input.mesh, problem, options.limits, session);
   if (amplitude == 0) return easier;
   session.report().set("result/suggested_amplitude", amplitude);
   return "--amplitude " + text_of(amplitude) + ", with which it verifies, or " + easier;
@@ -94,9 +94,9 @@ void conclude(const Spin_solution& solution, const Spin_options& options, const 
 Spin_solution deform(const Surface_input& input, const Spin_problem& problem,
                      const Spin_options& options, const std::string& easier, Session& session)
 {
-  Spin_solution solution = solve_twice(input.mesh, problem, options, session);
+  Spin_solution solution = solve_twice(input.mesh, problem, options.limits, session);
   session.begin_stage();
-  tell_solution(input, problem.boundary, solution.report, session.outcome());
+  tell_solution(input, problem.request.boundary, solution.report, session.outcome());
   note_what_gives_way(input, solution, session);
   conclude(solution, options,
            easier_by_amplitude(input, problem, options, solution, easier, session), session,

@@ -2,6 +2,7 @@
 #include "flat_image.h"
 
 #include "flat_distortion.h"
+#include "solve_spin.h"
 
 #include "conformal/process/Failure.h"
 #include "conformal/process/interruption.h"
@@ -140,12 +141,10 @@ Flat_image minimal_image(const Surface_input& input, const Flatten_options& opti
     throw unsuitable(input.file.path,
                      "the surface is not a disk (one loop, no handles), wanted for --planar; try: "
                      "without --planar");
-  CGP::Dirac_options how;
-  how.tolerance = session.options().tolerance;
-  how.random_seed = session.options().seed;
-  CGP::Spin_result result = CGP::spin_to_minimal_surface(
-      input.mesh, {CGP::Boundary_condition::tangents(CGP::planar_directions(input.mesh))}, how,
-      "flatten");
+  CGP::Spin_transformation_options request{
+      CGP::Boundary_condition::tangents(CGP::planar_directions(input.mesh))};
+  request.dirac = eigenvector_of(session.options());
+  CGP::Spin_result result = CGP::spin_to_minimal_surface(input.mesh, request, "flatten");
   tell_height(result.positions, session.report());
   return projected(input, std::move(result), options, session);
 }

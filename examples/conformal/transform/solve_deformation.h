@@ -3,12 +3,10 @@
 
 #include "solve_spin.h"
 
+#include <Conformal_geometry_processing/spin/Conformal_deformation.h>
 #include <Conformal_geometry_processing/spin/Control_point.h>
 
-#include <Eigen/Core>
-
 #include <functional>
-#include <optional>
 #include <vector>
 
 namespace conformal {
@@ -16,10 +14,7 @@ namespace conformal {
 /// a conformal deformation that moves control points
 struct Deformation_problem {
   std::vector<CGP::internal::Control_point> points;  ///< with targets in units of the mesh
-  std::optional<double> scale_bound;
-  std::optional<double> position_weight;  ///< none: exact
-  double mollification = 0;               ///< if not 0, on the intrinsic Delaunay triangulation
-  Eigen::VectorXd region;  ///< weights of the vertices in a region of interest; empty: all may move
+  CGP::internal::Conformal_deformation_options request;
 };
 
 /// what came of it

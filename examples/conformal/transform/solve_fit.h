@@ -13,14 +13,9 @@ namespace conformal {
 /// a conformal deformation near to a given one
 struct Fit_problem {
   CGP::Points target;
-  Eigen::VectorXd scales;              ///< factors for the scales of the target; none if empty
-  Eigen::Vector3d direction{1, 0, 0};  ///< of the boundary frame, which becomes the target's
-  double blend = 0;                    ///< 0 is conformal, 1 nearest to the target
-  bool keep_curvature = false;         ///< that of the target, wherever the surface is then
-  double normal_weight = 1;            ///< how much normals count beside positions
-  double distance_tolerance = CGP::Nearest_spin_options().distance_tolerance;  ///< search's end
-  std::optional<double> scale_bound;  ///< on factors of lengths
-  double mollification = 0;           ///< if not 0, on the intrinsic Delaunay triangulation
+  Eigen::VectorXd scales;  ///< factors for the scales of the target; none if empty
+  double blend = 0;        ///< 0 is conformal, 1 nearest to the target
+  CGP::Nearest_spin_options request;
 };
 
 /// what came of it
@@ -37,7 +32,6 @@ struct Fit_solution {
 
 /// Calls the library's `Nearest_spin_transformation`. This is the one place that compiles it.
 Fit_solution solve_fit(const CGP::Mesh_view& mesh, const Fit_problem& problem,
-                       const Common_options& common,
                        const std::function<bool(const CGP::Eigensolver_progress&)>& go_further);
 
 }  // namespace conformal

@@ -14,7 +14,6 @@
 #endif
 
 #include <string>
-#include <utility>
 
 namespace conformal {
 namespace {
@@ -32,40 +31,36 @@ CGP::Spin_solvers solvers_named(const std::string& name)
                                       "; try: --advanced solver=native");
 }
 
-CGP::Spin_transformation_options options_of(const Spin_problem& problem, const Spin_options& spin)
-{
-  CGP::Spin_transformation_options own{problem.boundary};
-  own.max_period_defect = spin.max_period_defect;
-  own.scales = problem.scales;
-  own.exact_conformal_class = problem.exact_class;
-  own.solvers = solvers_named(spin.solver);
-  if (!problem.closes_loops) own.exactness.reset();
-  if (problem.mollification > 0) own.mollification = problem.mollification;
-  return own;
-}
-
 }  // namespace
 
-Spin_solution solve_spin(const CGP::Mesh_view& mesh, const Spin_problem& problem,
-                         const Spin_options& options, const Common_options& common,
-                         const Go_further& go_further)
+CGP::Dirac_options eigenvector_of(const Common_options& common)
 {
   CGP::Dirac_options dirac;
-  dirac.problem = options.problem == Eigenproblem::generalized
-                      ? CGP::Dirac_options::Eigenproblem::generalized
-                      : CGP::Dirac_options::Eigenproblem::standard;
   dirac.tolerance = common.tolerance;
   dirac.random_seed = common.seed;
-  const CGP::Spin_transformation_options own = options_of(problem, options);
-  CGP::Spin_result result;
-  if (problem.minimal) {
-    result = CGP::spin_to_minimal_surface(mesh, own, dirac, "boundary", go_further);
-  } else {
-    CGP::Spin_transformation transformation(mesh, own, "spin");
-    transformation.limits() = spin_limits(options.limits);
-    result = std::move(transformation).transform(problem.rho, dirac, go_further);
-  }
-  return {std::move(result.positions), std::move(result.lambda), result.report};
+  return dirac;
+}
+
+CGP::Spin_transformation_options request_of(const Spin_options& spin, const Common_options& common)
+{
+  CGP::Spin_transformation_options request;
+  if (spin.open_handles) request.exactness.reset();
+  request.max_period_defect = spin.max_period_defect;
+  request.exact_conformal_class = spin.exact_class;
+  request.dirac = eigenvector_of(common);
+  request.dirac.problem = spin.problem;
+  request.limits = spin_limits(spin.limits);
+  request.solvers = solvers_named(spin.solver);
+  return request;
+}
+
+Spin_solution solve_spin(const CGP::Mesh_view& mesh, const Spin_problem& problem,
+                         const Go_further& go_further)
+{
+  if (problem.minimal)
+    return {CGP::spin_to_minimal_surface(mesh, problem.request, "boundary", go_further)};
+  return {
+      CGP::Spin_transformation(mesh, problem.request, "spin").transform(problem.rho, go_further)};
 }
 
 }  // namespace conformal

@@ -21,15 +21,16 @@ struct Attempt {
 };
 
 Attempt attempt(const CGP::Mesh_view& mesh, const Spin_problem& problem,
-                const Spin_options& options, const Session& session, const std::string& words = "")
+                const Verification_limits& limits, const Session& session,
+                const std::string& words = "")
 {
   const auto solve = [&](const Go_further& go_further) {
-    return solve_spin(mesh, problem, options, session.options(), go_further);
+    return solve_spin(mesh, problem, go_further);
   };
   Attempt result;
   try {
     result.solution = watched(solve, session, words);
-    result.fault = objection(result.solution.report, result.solution.positions, options.limits, "");
+    result.fault = objection(result.solution.report, result.solution.positions, limits, "");
   } catch (const CGP::Error& error) {  // the matrices of thin faces may not be definite
     const auto* of_solver = dynamic_cast<const CGP::Solver_error*>(&error);
     if (of_solver != nullptr && CGP::is_out_of_memory(*of_solver)) throw;
@@ -53,13 +54,13 @@ std::string without_advice(const std::string& fault)
 }  // namespace
 
 Spin_solution solve_twice(const CGP::Mesh_view& mesh, const Spin_problem& problem,
-                          const Spin_options& options, const Session& session)
+                          const Verification_limits& limits, const Session& session)
 {
-  Attempt first = attempt(mesh, problem, options, session);
-  if (first.fault.empty() || problem.second_try == 0) return solution_of(std::move(first));
+  Attempt first = attempt(mesh, problem, limits, session);
+  if (first.fault.empty() || !problem.second_try) return solution_of(std::move(first));
   Spin_problem again = problem;
-  again.mollification = problem.second_try;
-  Attempt second = attempt(mesh, again, options, session, "as with --mollify, ");
+  again.request.mollification = problem.second_try;
+  Attempt second = attempt(mesh, again, limits, session, "as with --mollify, ");
   if (!second.fault.empty()) return solution_of(std::move(first));
   second.solution.note = "solved as with --mollify: without, " + without_advice(first.fault);
   return solution_of(std::move(second));

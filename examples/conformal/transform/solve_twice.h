@@ -4,6 +4,7 @@
 #include "solve_spin.h"
 
 #include "conformal/report/Session.h"
+#include "conformal/report/Verification_limits.h"
 
 namespace conformal {
 
@@ -11,6 +12,6 @@ namespace conformal {
 /// problem is solved, and used and noted if it verifies; otherwise the first result is returned.
 /// \throws Failure on a signal, and exceptions of the library in the first attempt
 Spin_solution solve_twice(const CGP::Mesh_view& mesh, const Spin_problem& problem,
-                          const Spin_options& options, const Session& session);
+                          const Verification_limits& limits, const Session& session);
 
 }  // namespace conformal

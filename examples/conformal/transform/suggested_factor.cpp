@@ -11,11 +11,11 @@ namespace conformal {
 namespace {
 
 bool has_solution(const CGP::Mesh_view& mesh, const Spin_problem& problem,
-                  const Spin_options& options, const Session& session)
+                  const Verification_limits& limits, const Session& session)
 {
   try {
-    const Spin_solution solution = solve_twice(mesh, problem, options, session);
-    return objection(solution.report, solution.positions, options.limits, "").empty();
+    const Spin_solution solution = solve_twice(mesh, problem, limits, session);
+    return objection(solution.report, solution.positions, limits, "").empty();
   } catch (const CGP::Solver_error& error) {
     if (CGP::is_out_of_memory(error)) throw;
     return false;
@@ -25,7 +25,7 @@ bool has_solution(const CGP::Mesh_view& mesh, const Spin_problem& problem,
 }  // namespace
 
 double suggested_factor(const CGP::Mesh_view& mesh, const Spin_problem& refused,
-                        const Spin_options& options, const Session& session)
+                        const Verification_limits& limits, const Session& session)
 {
   if (refused.rho.values.isZero(0)) return 0;
   double works = 0, fails = 1;
@@ -33,7 +33,7 @@ double suggested_factor(const CGP::Mesh_view& mesh, const Spin_problem& refused,
     const double factor = (works + fails) / 2;
     Spin_problem weaker = refused;
     weaker.rho.values *= factor;
-    (has_solution(mesh, weaker, options, session) ? works : fails) = factor;
+    (has_solution(mesh, weaker, limits, session) ? works : fails) = factor;
   }
   return works;
 }

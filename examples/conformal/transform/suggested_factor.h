@@ -13,6 +13,6 @@ namespace conformal {
 ///
 /// Costs up to four solutions of the problem. \throws Failure if a signal comes
 double suggested_factor(const CGP::Mesh_view& mesh, const Spin_problem& refused,
-                        const Spin_options& options, const Session& session);
+                        const Verification_limits& limits, const Session& session);
 
 }  // namespace conformal

@@ -116,7 +116,8 @@ class Derivative {
  private:
   void linearize(const CGP::Dirac_options& options, const Watch& watch)
   {
-    const CGP::Spin_result found = m_transformation.step(m_rho, options, std::cref(watch));
+    m_transformation.dirac() = options;
+    const CGP::Spin_result found = m_transformation.step(m_rho, std::cref(watch));
     if (!found.report.converged)
       throw CGP::Solver_error(function, "the Dirac equation is not solved");
     const auto& system = m_transformation.system();

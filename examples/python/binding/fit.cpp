@@ -15,15 +15,18 @@
 namespace conformal_python {
 namespace {
 
-CGP::Nearest_spin_options nearest_options(const py::dict& options, const std::string& function)
+CGP::Nearest_spin_options nearest_options(const py::dict& options, const py::dict& bounds,
+                                          const std::string& function)
 {
   CGP::Nearest_spin_options o;
   o.direction = direction_of(options["direction"], function);
   o.keep_curvature = py::cast<bool>(options["keep_curvature"]);
   o.normal_weight = py::cast<double>(options["normal_weight"]);
   o.distance_tolerance = py::cast<double>(options["distance_tolerance"]);
-  take(options, "max_scale", o.scales.bound);
-  take_closing(options, function, o);
+  take(options, "max_scale", o.surface.scales.bound);
+  take_closing(options, function, o.surface);
+  o.surface.dirac = dirac_options(options, function);
+  o.surface.limits = limits(bounds);
   return o;
 }
 
@@ -34,19 +37,15 @@ py::tuple nearest(const Array& V, const Array& target, const Indices& F, double 
   const std::string function = "nearest";
   const CGP::Mesh_view mesh = mesh_view(V, F, function);
   const CGP::Points points = vertex_points(target, mesh.size_of_vertices(), function, "targets");
-  const CGP::Nearest_spin_options own = nearest_options(options, function);
-  const CGP::Dirac_options dirac = dirac_options(options, function);
+  const CGP::Nearest_spin_options own = nearest_options(options, bounds, function);
   const Eigen::VectorXd factors = take_numbers(options, "vertex_scale", function);
-  const CGP::Spin_report::Limits limits = conformal_python::limits(bounds);
   const Watch watch(callback);
   int conflicts = 0;
   const CGP::Nearest_spin_result result = without_lock([&] {
     CGP::Nearest_spin_transformation search(mesh, points, function, own);
     if (factors.size() > 0) search.scale_lengths(factors);
-    CGP::Nearest_spin_result found = search.transform(dirac, std::cref(watch));
-    found.report.limits = limits;
+    CGP::Nearest_spin_result found = search.transform(std::cref(watch));
     if (blend != 0 && found.report) found = search.blend(found, blend);
-    found.report.limits = limits;
     conflicts = search.sign_conflicts();
     return found;
   });
@@ -72,14 +71,14 @@ CGP::Spin_result blended(const Pair& meshes, double t, std::optional<double> tol
   CGP::Curvature_potential rho = CGP::transferred(difference, meshes.a, meshes.start);
   rho.values *= t;
   CGP::Spin_transformation_options own;
+  own.dirac = options;
   if (!CGP::topology(meshes.start).is_closed()) {
     const CGP::Mesh_view aligned(CGP::align(p, meshes.a.positions()).apply(p), meshes.a.corners());
     own.boundary = CGP::Boundary_condition::binormals(
         CGP::turned_binormals(meshes.a, aligned, meshes.start, t));
     own.exactness.reset();  // the prescribed data determine the loops
   }
-  return CGP::Spin_transformation(meshes.start, own, function)
-      .transform(rho, options, std::cref(watch));
+  return CGP::Spin_transformation(meshes.start, own, function).transform(rho, std::cref(watch));
 }
 
 py::tuple blend(const Array& A, const Array& B, const Array& onto, const Indices& F, double t,

@@ -31,9 +31,10 @@ class Transformation {
     const CGP::Dirac_options dirac = dirac_options(options, m_function);
     const Watch watch(callback);
     const Turn turn(m_is_computing, m_function);
+    m_transformation->dirac() = dirac;
     m_transformation->limits() = limits(bounds);
-    return as_tuple(without_lock(
-        [&] { return m_transformation->transform(potential, dirac, std::cref(watch)); }));
+    return as_tuple(
+        without_lock([&] { return m_transformation->transform(potential, std::cref(watch)); }));
   }
 
   py::tuple integrate(const Array& lambda)
@@ -66,14 +67,13 @@ py::tuple minimal_surface(const Array& V, const Indices& F, const py::object& bo
 {
   const std::string function = "minimal_surface";
   const CGP::Mesh_view mesh = mesh_view(V, F, function);
-  CGP::Boundary_condition condition = boundary_condition(boundary, mesh, function);
-  if (condition.kind == CGP::Boundary_condition::Kind::free)
-    condition = CGP::Boundary_condition::tangents();
-  const CGP::Dirac_options dirac = dirac_options(options, function);
+  CGP::Spin_transformation_options request{boundary_condition(boundary, mesh, function)};
+  if (request.boundary.kind == CGP::Boundary_condition::Kind::free)
+    request.boundary = CGP::Boundary_condition::tangents();
+  request.dirac = dirac_options(options, function);
   const Watch watch(callback);
-  return as_tuple(without_lock([&] {
-    return CGP::spin_to_minimal_surface(mesh, {condition}, dirac, function, std::cref(watch));
-  }));
+  return as_tuple(without_lock(
+      [&] { return CGP::spin_to_minimal_surface(mesh, request, function, std::cref(watch)); }));
 }
 
 }  // namespace

@@ -8,20 +8,19 @@
 
 namespace Conformal_geometry_processing::internal {
 
-/// \brief Returns the options of the Dirac solver given by named parameters: those of `dirac`,
-/// where the parameters that other functions have, too, take precedence.
+/// \brief Reads how the eigenvector is found: by `dirac`, where the parameters that other functions
+/// have, too, take precedence.
 template <class NamedParameters>
-Dirac_options dirac_options(const NamedParameters& np)
+void read_dirac_options(const NamedParameters& np, Dirac_options& o)
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
-  Dirac_options o = parameter_or(np, internal_np::dirac, Dirac_options());
+  o = parameter_or(np, internal_np::dirac, o);
   o.tolerance = choose_parameter(get_parameter(np, internal_np::tolerance), o.tolerance);
   o.max_iterations = static_cast<int>(choose_parameter(
       get_parameter(np, CGAL::internal_np::number_of_iterations), o.max_iterations));
   o.random_seed = static_cast<unsigned>(
       choose_parameter(get_parameter(np, CGAL::internal_np::random_seed), o.random_seed));
-  return o;
 }
 
 /// the solvers that named parameters tell of
@@ -31,7 +30,6 @@ Spin_solvers spin_solvers(const NamedParameters& np)
   return parameter_or(np, internal_np::sparse_solver, Spin_solvers());
 }
 
-/// \brief the options that named parameters tell of a spin transformation, but for the boundary.
 /// \tparam Options has exactness, mollification and solvers
 template <class Options, class NamedParameters>
 void read_exactness_and_mollification(const NamedParameters& np, Options& options)
@@ -40,7 +38,7 @@ void read_exactness_and_mollification(const NamedParameters& np, Options& option
     options.exactness = CGAL::parameters::get_parameter(np, internal_np::exactness);
   if constexpr (has_parameter<NamedParameters, internal_np::mollification_t>)
     options.mollification = CGAL::parameters::get_parameter(np, internal_np::mollification);
-  options.solvers = spin_solvers(np);
+  options.solvers = parameter_or(np, internal_np::sparse_solver, options.solvers);
 }
 
 /// passes the progress of an eigensolver to the visitor of the named parameters, and asks whether

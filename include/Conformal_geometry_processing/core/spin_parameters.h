@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Conformal_geometry_processing/core/Graph_view.h>
+#include <Conformal_geometry_processing/core/dirac_parameters.h>
 #include <Conformal_geometry_processing/core/named_parameters.h>
 #include <Conformal_geometry_processing/core/write_points.h>
 #include <Conformal_geometry_processing/operators/Curvature_potential.h>
@@ -48,6 +49,15 @@ void read_scale_control(const Graph_view<TriangleMesh>& graph, const NamedParame
     control.bound = get_parameter(np, internal_np::scale_bound);
   else
     control.bound = default_bound(options);
+}
+
+/// reads what named parameters request of a spin transformation, but for the boundary and scales
+template <class NamedParameters>
+void read_request(const NamedParameters& np, Spin_transformation_options& options)
+{
+  read_exactness_and_mollification(np, options);
+  read_dirac_options(np, options.dirac);
+  options.limits = parameter_or(np, internal_np::limits, options.limits);
 }
 
 /// rho from a map of the vertices or of the faces
@@ -124,14 +134,6 @@ std::vector<Control_point> read_control_points(const Graph_view<TriangleMesh>& g
     ++k;
   }
   return points;
-}
-
-/// the limits of the named parameters, if there are any
-template <class NamedParameters>
-void read_limits(const NamedParameters& np, Spin_report::Limits& limits)
-{
-  if constexpr (has_parameter<NamedParameters, internal_np::limits_t>)
-    limits = CGAL::parameters::get_parameter(np, internal_np::limits);
 }
 
 /// Writes lambda, then the points. A map that throws leaves the points as they were

@@ -109,6 +109,7 @@ Spin_transformation_options Conformal_willmore_flow::transformation_options(
   own.max_period_defect = options.max_period_defect;
   if (!options.exact_conformal_class) own.mollification = options.mollification;
   own.solvers = options.solvers;
+  own.dirac = options.dirac;
   return own;
 }
 
@@ -169,7 +170,7 @@ auto Conformal_willmore_flow::try_step(const Eigen::VectorXd& rho, Flow_step_rep
                                        const Go_further& go_further) -> Verdict
 {
   try {
-    Spin_result next = m_transformation.closed_step(rho, m_options.dirac, go_further);
+    Spin_result next = m_transformation.closed_step(rho, go_further);
     const Spin_report before = std::exchange(report.spin, next.report);
     internal::add_costs(report.spin, before);
     if (m_class) report.spin.mollification = m_mollification;

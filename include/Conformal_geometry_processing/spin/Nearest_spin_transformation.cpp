@@ -92,14 +92,14 @@ bool Target_mismatch::is_reached(double d, double n) const
 Nearest_spin_transformation::Nearest_spin_transformation(const Mesh_view& mesh, Points target,
                                                          const std::string& function,
                                                          const Nearest_spin_options& options)
-    : Nearest_spin_transformation(
-          function, mesh,
-          internal::checked_target(mesh, std::move(target), options.mollification, function),
-          options)
+    : Nearest_spin_transformation(function, mesh,
+                                  internal::checked_target(mesh, std::move(target),
+                                                           options.surface.mollification, function),
+                                  options)
 {
   const auto [before, after] = internal::in_frame(mesh, m_target);
   Quaternion_vector<double> faces = face_spins(before, after);
-  if (options.mollification) replace_thin_faces(before, after, faces);
+  if (options.surface.mollification) replace_thin_faces(before, after, faces);
   m_conflicts = make_consistent(before, faces);
   use(vertex_spins(before, faces));
 }
@@ -132,8 +132,7 @@ void Nearest_spin_transformation::scale_lengths(const Eigen::VectorXd& factor)
   use(std::move(scaled));
 }
 
-Nearest_spin_result Nearest_spin_transformation::transform(const Dirac_options& options,
-                                                           const internal::Go_further& go_further)
+Nearest_spin_result Nearest_spin_transformation::transform(const internal::Go_further& go_further)
 {
   const internal::Thread_team team;
   m_visits.require_no_visit(m_function);
@@ -142,12 +141,12 @@ Nearest_spin_result Nearest_spin_transformation::transform(const Dirac_options& 
            m_transformation->system().is_closed() || (r.report && r.distance <= r.source_distance);
   };
   const std::optional<Eigen::Vector3d> tangent({1, 0, 0}), binormal({0, 0, 1}), none;
-  Nearest_spin_result found = transform_once(options, m_visits.guarded(go_further));
+  Nearest_spin_result found = transform_once(m_visits.guarded(go_further));
   for (const std::optional<Eigen::Vector3d>& direction : {binormal, tangent, none}) {
     if (is_done(found)) break;
     if (direction == m_options.direction) continue;
     use_boundary(direction);
-    Nearest_spin_result next = transform_once(options, m_visits.guarded(go_further));
+    Nearest_spin_result next = transform_once(m_visits.guarded(go_further));
     add_costs(next.report, found.report);
     found = std::move(next);
   }
@@ -155,9 +154,9 @@ Nearest_spin_result Nearest_spin_transformation::transform(const Dirac_options& 
 }
 
 Nearest_spin_result Nearest_spin_transformation::transform_once(
-    const Dirac_options& options, const internal::Go_further& go_further)
+    const internal::Go_further& go_further)
 {
-  Spin_result guess = m_transformation->transform(m_rho, options, go_further);
+  Spin_result guess = m_transformation->transform(m_rho, go_further);
   if (guess.report.cancelled) return placed(std::move(guess), m_rho);
   align_spins(guess.lambda);
   Nearest_spin_result start = placed(std::move(guess), m_rho);
@@ -177,7 +176,7 @@ Nearest_spin_result Nearest_spin_transformation::unchanged()
   const int n = m_transformation->domain().mesh().size_of_vertices();
   Spin_result same =
       m_transformation->integrate(Quaternion_vector<double>::Constant(n, {1, 0, 0, 0}));
-  if (m_options.scales.bound) same.report.scales.bound = *m_options.scales.bound;
+  if (const auto& bound = m_options.surface.scales.bound) same.report.scales.bound = *bound;
   return placed(std::move(same), Curvature_potential::on_vertices(Eigen::VectorXd::Zero(n)));
 }
 
@@ -229,8 +228,8 @@ Points Nearest_spin_transformation::integrated(const Mesh_view& mesh,
                                                const Nearest_spin_options& options)
 {
   Spin_transformation_options own;
-  own.mollification = options.mollification;
-  own.solvers = options.solvers;
+  own.mollification = options.surface.mollification;
+  own.solvers = options.surface.solvers;
   Spin_transformation transformation(mesh, own, function);
   return transformation.integrate(mu).positions;
 }
@@ -239,16 +238,12 @@ Spin_transformation_options Nearest_spin_transformation::transformation_options(
     const Mesh_view& target, const Nearest_spin_options& options,
     const std::optional<Eigen::Vector3d>& direction)
 {
-  Spin_transformation_options own;
-  own.exactness = options.exactness;
-  own.max_period_defect = options.max_period_defect;
-  own.mollification = options.mollification;
-  own.scales = options.scales;
-  own.solvers = options.solvers;
+  Spin_transformation_options own = options.surface;
+  own.boundary = {};
   if (!direction) return own;
   const internal::Boundary_frames frames =
-      options.mollification ? boundary_frames(Delaunay_view(target, *options.mollification))
-                            : boundary_frames(target);
+      own.mollification ? boundary_frames(Delaunay_view(target, *own.mollification))
+                        : boundary_frames(target);
   if (frames.vertices.empty()) return own;
   Points targets(3, static_cast<Eigen::Index>(frames.vertices.size()));
   for (std::size_t k = 0; k < frames.vertices.size(); ++k)

@@ -97,15 +97,13 @@ struct Nearest_spin_options {
   /// direction of the boundary frame (T, N, B) that is taken from the target; the binormal, unlike
   /// the tangent, can be realised for any target
   Eigen::Vector3d direction{1, 0, 0};
-  std::optional<Exactness> exactness = Exactness::adjoint;  ///< see `Spin_transformation_options`
-  std::optional<double> max_period_defect = std::nullopt;   ///< likewise
-  /// see `Spin_transformation_options`; if set, spins of thin faces, of the mesh or of the target,
-  /// are taken from their neighbours, and the spin structure of the target is not checked
-  std::optional<double> mollification = std::nullopt;
+  /// what is requested of the result; the boundary is that of `direction`. With mollification,
+  /// spins of thin faces, of the mesh or of the target, are taken from their neighbours, and the
+  /// spin structure of the target is not checked
+  Spin_transformation_options surface = {};
   /// whether the surface with the curvature of the target is the result [CGP 5.9], and not the
   /// start of a search for the nearest one
   bool keep_curvature = false;
-  internal::Scale_control scales = {};  ///< a bound on the change of lengths
   /// how much the normals count beside the positions, >= 0, see `internal::Target_mismatch`. With
   /// 0, a target that is far from conformal is approached by wrinkles
   double normal_weight = 1;
@@ -113,7 +111,6 @@ struct Nearest_spin_options {
   /// radians between normals: a tenth of a pixel of a picture of 1,000 pixels. What is left after
   /// that costs most of the time
   double distance_tolerance = 1e-4;
-  Spin_solvers solvers = {};  ///< for the linear systems
 };
 
 /// \ingroup PkgSpin
@@ -173,7 +170,6 @@ class Nearest_spin_transformation {
   /// \throw Precondition_error if `go_further` calls back one of the functions that compute
   /// \throw Solver_error if a factorization fails. Failure to converge is a field of the report.
   Nearest_spin_result transform(
-      const Dirac_options& options = {},
       const internal::Go_further& go_further = internal::Always_go_further());
 
   /// \brief the surface of (1 - t) lambda + t mu, which is conformal only for t = 0.
@@ -191,8 +187,7 @@ class Nearest_spin_transformation {
   void use_boundary(const std::optional<Eigen::Vector3d>& direction);
 
   /// the best result with the present boundary condition
-  Nearest_spin_result transform_once(const Dirac_options& options,
-                                     const internal::Go_further& go_further);
+  Nearest_spin_result transform_once(const internal::Go_further& go_further);
 
   /// \brief what `internal::Relaxed_positions` find from `start`, or `start`, with the costs of
   /// both: minimises

@@ -56,8 +56,8 @@ auto Nearest_spin_transformation::positions_from(const Nearest_spin_result& star
   auto search = std::make_unique<Search>(
       *m_transformation,
       Search::Problem{internal::vertices_as_control_points(target),
-                      system.areas() / system.areas().sum(), rho, m_options.scales, 1},
-      target, internal::steps_of_a_weight(m_options.scales.bound.has_value()));
+                      system.areas() / system.areas().sum(), rho, m_options.surface.scales, 1},
+      target, internal::steps_of_a_weight(m_options.surface.scales.bound.has_value()));
   search->restart({start.lambda, rho, start.report.scales.weight, start.report.scales.excess()});
   return search;
 }
@@ -76,7 +76,7 @@ Nearest_spin_result Nearest_spin_transformation::searched(Nearest_spin_result st
   };
   const double last_weight = 2e7, least_factor = 1.3, much_worse = 1.3, shear = .05;
   // A bound shears, which is no measure of what the mesh leaves.
-  const double of_mesh = m_options.scales.bound ? 0 : start.report.closure_residual;
+  const double of_mesh = m_options.surface.scales.bound ? 0 : start.report.closure_residual;
   const double most_sheared =
       m_options.normal_weight == 0 ? start.report.limits.closure : (std::max)(shear, 1.5 * of_mesh);
   double factor = 8;

@@ -132,34 +132,32 @@ void Spin_transformation::require_potential(const Curvature_potential& rho) cons
 }
 
 Spin_result Spin_transformation::transform(const Curvature_potential& rho,
-                                           const Dirac_options& options,
                                            const internal::Go_further& go_further) &&
 {
   const internal::Thread_team team;
   m_visits.require_no_visit(m_function);
   // Relaxed spins need both factors, the exact class the surface before all steps.
-  if (is_relaxed() || m_options.exact_conformal_class) return transform(rho, options, go_further);
+  if (is_relaxed() || m_options.exact_conformal_class) return transform(rho, go_further);
   require_potential(rho);
-  Spin_result result = solve(rho, options, go_further);
+  Spin_result result = solve(rho, go_further);
   system().release();
   if (!result.report.cancelled) reconstruct(result);
   return judged(std::move(result), rho);
 }
 
-Spin_result Spin_transformation::step(const Curvature_potential& rho, const Dirac_options& options,
+Spin_result Spin_transformation::step(const Curvature_potential& rho,
                                       const internal::Go_further& go_further)
 {
-  return judged(trial_step(rho, options, go_further), rho);
+  return judged(trial_step(rho, go_further), rho);
 }
 
 Spin_result Spin_transformation::trial_step(const Curvature_potential& rho,
-                                            const Dirac_options& options,
                                             const internal::Go_further& go_further)
 {
   const internal::Thread_team team;
   m_visits.require_no_visit(m_function);
   require_potential(rho);
-  Spin_result result = solve(rho, options, go_further);
+  Spin_result result = solve(rho, go_further);
   if (!result.report.cancelled) reconstruct(result);
   return result;
 }
@@ -172,7 +170,7 @@ Spin_result Spin_transformation::integrate(Quaternion_vector<double> lambda)
   Spin_result result;
   result.lambda = std::move(lambda);
   result.report.converged = true;
-  result.report.limits = m_limits;
+  result.report.limits = m_options.limits;
   result.report.mollification = domain().mollification();
   reconstruct(result);
   return result;
@@ -187,10 +185,11 @@ void Spin_transformation::require_size(Eigen::Index size, const std::string& wha
                                  ", one per vertex is needed: " + std::to_string(needed));
 }
 
-Spin_result Spin_transformation::solve(const Curvature_potential& rho, Dirac_options options,
+Spin_result Spin_transformation::solve(const Curvature_potential& rho,
                                        const internal::Go_further& go_further)
 {
   const double unit = domain().unit();
+  Dirac_options options = m_options.dirac;
   options.kernel_tolerance *= unit;
   Spin_result result = in_units(solve_dirac_equation(system(), {rho.on, rho.values * unit}, options,
                                                      m_visits.guarded(go_further)));
@@ -204,7 +203,7 @@ Spin_result Spin_transformation::in_units(internal::Dirac_solution s) const
   static_cast<internal::Dirac_evidence&>(result.report) =
       Conformal_geometry_processing::in_units(s, domain().unit());
   static_cast<internal::Dirac_evidence::Seconds&>(result.report.seconds) = s.seconds;
-  result.report.limits = m_limits;
+  result.report.limits = m_options.limits;
   result.report.seconds.setup = m_stage->seconds;
   result.report.mollification = domain().mollification();
   result.lambda = std::move(s.lambda);

@@ -33,7 +33,7 @@ struct Spin_result {
 };
 
 /// \ingroup PkgSpin
-/// options of `Spin_transformation` for boundaries, handles and thin faces
+/// what is requested of a `Spin_transformation`, but for rho, in the unit of the mesh
 struct Spin_transformation_options {
   Boundary_condition boundary = {};  ///< for surfaces with boundary; the default is a free one
   /// how the edges are kept exact around handles and holes, see `exactness_constraints()`; if
@@ -53,7 +53,10 @@ struct Spin_transformation_options {
   /// mesh, up to rounding; with mollification, of its intrinsic Delaunay triangulation. Cannot be
   /// combined with prescribed positions. See `internal::move_to_class()`
   bool exact_conformal_class = false;
-  Spin_solvers solvers = {};  ///< for the linear systems
+  Dirac_options dirac = {};         ///< how the eigenvector is found, where there is one
+  Spin_report::Limits limits = {};  ///< what counts as success; with a bound on lengths, less of
+                                    ///< rho is applied where the result would be beyond them
+  Spin_solvers solvers = {};        ///< for the linear systems
 };
 
 namespace internal {
@@ -157,10 +160,10 @@ class Spin_transformation {
   /// reported.
   Spin_report take_unreported() { return std::exchange(m_unreported, {}); }
 
-  /// by which the reports of what is computed from now on judge; control of scale takes less of rho
-  /// where these would not pass
-  Spin_report::Limits& limits() { return m_limits; }
-  const Spin_report::Limits& limits() const { return m_limits; }
+  /// the limits and the eigenvector of what is computed from now on, see
+  /// `Spin_transformation_options`
+  Spin_report::Limits& limits() { return m_options.limits; }
+  Dirac_options& dirac() { return m_options.dirac; }
 
   /// \throw Precondition_error if rho has the wrong length or a value that is not finite
   void require_potential(const Curvature_potential& rho) const;
@@ -174,12 +177,12 @@ class Spin_transformation {
   /// \throw Precondition_error if rho has the wrong length or a value that is not finite, or
   /// `go_further` calls back one of the functions that compute
   /// \throw Solver_error if a factorization fails. Failure to converge is a field of the report.
-  Spin_result transform(const Curvature_potential& rho, const Dirac_options& options = {},
+  Spin_result transform(const Curvature_potential& rho,
                         const internal::Go_further& go_further = internal::Always_go_further()) &;
 
   /// the last transformation by this object: needs less memory, because the two factors do not
   /// exist at the same time
-  Spin_result transform(const Curvature_potential& rho, const Dirac_options& options = {},
+  Spin_result transform(const Curvature_potential& rho,
                         const internal::Go_further& go_further = internal::Always_go_further()) &&;
 
   /// \brief approximates `transform()` for a rho that changes little from call to call, as under a
@@ -191,11 +194,11 @@ class Spin_transformation {
 
   /// \brief a single transformation by the given rho, whether the edges stay exact or not.
   /// \throw as `transform()`
-  Spin_result step(const Curvature_potential& rho, const Dirac_options& options = {},
+  Spin_result step(const Curvature_potential& rho,
                    const internal::Go_further& go_further = internal::Always_go_further());
 
   /// \brief `step()` without `Spin_report::realised_curvature`, for searches that try several.
-  Spin_result trial_step(const Curvature_potential& rho, const Dirac_options& options = {},
+  Spin_result trial_step(const Curvature_potential& rho,
                          const internal::Go_further& go_further = internal::Always_go_further());
 
   /// \brief `trial_step()`, closed around handles and holes by `internal::closed_spins()`, for the
@@ -204,7 +207,7 @@ class Spin_transformation {
   /// The report has the period defect, and tells how the equation of the changed rho is solved.
   /// \param rho in 1/length of the mesh, one number per vertex
   /// \throw as `transform()`
-  Spin_result closed_step(const Eigen::VectorXd& rho, const Dirac_options& options = {},
+  Spin_result closed_step(const Eigen::VectorXd& rho,
                           const internal::Go_further& go_further = internal::Always_go_further());
 
   /// \brief computes the surface with given spins, whether they solve a Dirac equation or not.
@@ -218,8 +221,7 @@ class Spin_transformation {
 
   /// \brief the surface of relaxed spins in the frame, with its report; without positions if they
   /// were cancelled.
-  /// \param tolerance of the spins, which handles need not close better than
-  Spin_result surface_of(internal::Dirac_solution found, double tolerance = 0);
+  Spin_result surface_of(internal::Dirac_solution found);
 
  private:
   /// everything that depends on the positions
@@ -254,7 +256,7 @@ class Spin_transformation {
   /// \brief moves a transformed surface to its exact conformal class; where that takes lengths
   /// beyond their bound, that of one transformed with a tighter bound.
   Spin_result on_class(Spin_result result, const Curvature_potential& rho,
-                       const Dirac_options& options, const internal::Go_further& go_further);
+                       const internal::Go_further& go_further);
   void move_to_class(Spin_result& result);
 
   /// whether lengths are bounded or loops have to close, which no eigenvector need do
@@ -266,27 +268,24 @@ class Spin_transformation {
   /// \param stiffness factor of the weights of the misfit
   /// \pre no positions are prescribed
   Spin_result relaxed(const Curvature_potential& rho, const internal::Scale_control& control,
-                      double stiffness, const Dirac_options& options,
-                      const internal::Go_further& go_further);
+                      double stiffness, const internal::Go_further& go_further);
 
   /// closes what a step by rho has left open
   void close(const Eigen::VectorXd& rho, double limit, Spin_result& result);
 
   /// tells how far the edges are from closing up; returns the largest defect that counts as closed
-  double judge_periods(const internal::Exactness_constraints& closing, double tolerance,
-                       Spin_result& result) const;
+  double judge_periods(const internal::Exactness_constraints& closing, Spin_result& result) const;
 
   /// tells how the equation of rho is solved, |V|, in the frame
   void judge_equation(Eigen::VectorXd rho, Spin_result& result) const;
 
-  /// \brief raises weights until the edges close up and the map is conformal, as far as that helps.
-  /// \param tolerance of the spins
-  void close_up(internal::Relaxed_surface& search, double tolerance,
-                const internal::Go_further& go_further, Spin_result& result);
+  /// raises weights until the edges close up and the map is conformal, as far as that helps
+  void close_up(internal::Relaxed_surface& search, const internal::Go_further& go_further,
+                Spin_result& result);
 
   /// asks for shares of rho until the edges close up and the map is conformal
   void ask_for_less(internal::Relaxed_surface& search, const Eigen::VectorXd& wanted,
-                    double tolerance, const internal::Go_further& go_further, Spin_result& result);
+                    const internal::Go_further& go_further, Spin_result& result);
 
   /// tells what is kept of rho, or added to it, the constant included
   void tell_shares(const internal::Relaxed_scales& found, const Eigen::VectorXd& wanted,
@@ -299,8 +298,7 @@ class Spin_transformation {
   Spin_result in_units(internal::Dirac_solution s) const;
 
   /// lambda, with its part of the report
-  Spin_result solve(const Curvature_potential& rho, Dirac_options options,
-                    const internal::Go_further& go_further);
+  Spin_result solve(const Curvature_potential& rho, const internal::Go_further& go_further);
 
   /// Computes positions from lambda, with the area and the centroid of the mesh, and the
   /// certificate.
@@ -314,7 +312,6 @@ class Spin_transformation {
   std::string m_function;
   internal::Visit_guard m_visits;
   Spin_transformation_options m_options;
-  Spin_report::Limits m_limits;
   std::unique_ptr<Stage> m_stage;
   Spin_report m_unreported;  // costs of `exactness()`
 };

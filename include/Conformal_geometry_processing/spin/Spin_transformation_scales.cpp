@@ -19,17 +19,16 @@
 namespace Conformal_geometry_processing {
 
 Spin_result Spin_transformation::transform(const Curvature_potential& rho,
-                                           const Dirac_options& options,
                                            const internal::Go_further& go_further) &
 {
   const internal::Thread_team team;
   m_visits.require_no_visit(m_function);
   require_potential(rho);
-  Spin_result result = is_relaxed() ? relaxed(rho, m_options.scales, 1, options, go_further)
-                                    : trial_step(rho, options, go_further);
+  Spin_result result =
+      is_relaxed() ? relaxed(rho, m_options.scales, 1, go_further) : trial_step(rho, go_further);
   const bool is_found = result.report.converged && !result.report.cancelled;
   if (m_options.exact_conformal_class && is_found)
-    result = on_class(std::move(result), rho, options, go_further);
+    result = on_class(std::move(result), rho, go_further);
   return judged(std::move(result), rho);
 }
 
@@ -47,7 +46,6 @@ inline internal::Scale_control tighter_by(const Spin_report& report,
 }
 
 Spin_result Spin_transformation::on_class(Spin_result result, const Curvature_potential& rho,
-                                          const Dirac_options& options,
                                           const internal::Go_further& go_further)
 {
   move_to_class(result);
@@ -61,7 +59,7 @@ Spin_result Spin_transformation::on_class(Spin_result result, const Curvature_po
   for (int i = 0; i < max_tries && !is_there(); ++i) {
     if (!*result.report.exact_class) stiffness *= 10;  // nearer to the class
     tighter = tighter_by(result.report, tighter);
-    Spin_result next = relaxed(rho, tighter, stiffness, options, go_further);
+    Spin_result next = relaxed(rho, tighter, stiffness, go_further);
     if (next.report.converged && !next.report.cancelled) move_to_class(next);
     internal::add_costs(next.report, result.report);
     result = std::move(next);
@@ -144,7 +142,6 @@ struct internal::Relaxed_surface {
 
 Spin_result Spin_transformation::relaxed(const Curvature_potential& rho,
                                          const internal::Scale_control& control, double stiffness,
-                                         const Dirac_options& options,
                                          const internal::Go_further& go_further)
 {
   const Eigen::VectorXd wanted = in_frame(rho);
@@ -153,10 +150,10 @@ Spin_result Spin_transformation::relaxed(const Curvature_potential& rho,
   internal::Relaxed_surface search(*this, wanted, control, search_options);
   search.scales.run(m_visits.guarded(go_further));
   search.close_within_bound(m_visits.guarded(go_further));
-  Spin_result result = surface_of(search.scales.solution(), options.tolerance);
-  close_up(search, options.tolerance, go_further, result);
+  Spin_result result = surface_of(search.scales.solution());
+  close_up(search, go_further, result);
   if (m_options.scales.bound && shear(result.report, true) > 1)
-    ask_for_less(search, wanted, options.tolerance, go_further, result);
+    ask_for_less(search, wanted, go_further, result);
   if (!result.report.cancelled) tell_shares(search.scales, wanted, control, result.report);
   internal::add_costs(result.report, take_unreported());
   return result;
@@ -164,7 +161,7 @@ Spin_result Spin_transformation::relaxed(const Curvature_potential& rho,
 
 // Not where that is in vain.
 void Spin_transformation::ask_for_less(internal::Relaxed_surface& search,
-                                       const Eigen::VectorXd& wanted, double tolerance,
+                                       const Eigen::VectorXd& wanted,
                                        const internal::Go_further& go_further, Spin_result& result)
 {
   const double less = .7, least = .2;
@@ -172,14 +169,14 @@ void Spin_transformation::ask_for_less(internal::Relaxed_surface& search,
   for (double share = less; share > least; share *= less) {
     search.scales.follow(share * wanted, m_visits.guarded(go_further));
     search.close_within_bound(m_visits.guarded(go_further));
-    result = surface_of(search.scales.solution(), tolerance);
+    result = surface_of(search.scales.solution());
     if (result.report.cancelled || shear(result.report, true) <= 1) return;
   }
   search.scales.restart(all);
-  result = surface_of(search.scales.solution(), tolerance);  // with all costs
+  result = surface_of(search.scales.solution());  // with all costs
 }
 
-void Spin_transformation::close_up(internal::Relaxed_surface& search, double tolerance,
+void Spin_transformation::close_up(internal::Relaxed_surface& search,
                                    const internal::Go_further& go_further, Spin_result& result)
 {
   double period_weight = internal::Period_residual::default_weight;
@@ -193,7 +190,7 @@ void Spin_transformation::close_up(internal::Relaxed_surface& search, double tol
     if (is_open) search.periods->set_weight(period_weight *= 30);
     search.scales.stiffen(is_open ? 1 : stiffening(before), m_visits.guarded(go_further));
     search.close_within_bound(m_visits.guarded(go_further));
-    result = surface_of(search.scales.solution(), tolerance);
+    result = surface_of(search.scales.solution());
     const bool is_vain = !(present() < (1 - least_gain) * before);  // slivers, say
     if (!is_open && is_vain) return;
   }
@@ -251,16 +248,15 @@ void Spin_transformation::tell_shares(const internal::Relaxed_scales& found,
 }
 
 Spin_result Spin_transformation::closed_step(const Eigen::VectorXd& rho,
-                                             const Dirac_options& options,
                                              const internal::Go_further& go_further)
 {
   using On = Curvature_potential::On;
   const internal::Thread_team team;
   if (has_loops()) (void)exactness(On::vertices);  // first, because it needs another factor
-  Spin_result result = trial_step({On::vertices, rho}, options, go_further);
+  Spin_result result = trial_step({On::vertices, rho}, go_further);
   const Spin_report& r = result.report;
   if (r.cancelled || !has_loops()) return result;
-  const double limit = judge_periods(exactness(On::vertices), options.tolerance, result);
+  const double limit = judge_periods(exactness(On::vertices), result);
   if (m_options.exactness && r.converged && r.period_defect > limit) close(rho, limit, result);
   return result;
 }
@@ -296,14 +292,14 @@ void Spin_transformation::judge_equation(Eigen::VectorXd rho, Spin_result& resul
 }
 
 double Spin_transformation::judge_periods(const internal::Exactness_constraints& closing,
-                                          double tolerance, Spin_result& result) const
+                                          Spin_result& result) const
 {
   Spin_report& r = result.report;
   r.period_defect = closing.period_defect(transformed_edges(system().surface(), result.lambda));
-  return internal::Period_limit{m_options.max_period_defect, tolerance}(r);
+  return internal::Period_limit{m_options.max_period_defect, m_options.dirac.tolerance}(r);
 }
 
-Spin_result Spin_transformation::surface_of(internal::Dirac_solution found, double tolerance)
+Spin_result Spin_transformation::surface_of(internal::Dirac_solution found)
 {
   Spin_result result = in_units(std::move(found));
   if (result.report.cancelled) return result;
@@ -311,7 +307,7 @@ Spin_result Spin_transformation::surface_of(internal::Dirac_solution found, doub
   Spin_report& r = result.report;
   r.converged = r.converged && result.positions.allFinite();
   const internal::Exactness_constraints* const loops = closing();
-  if (loops) r.period_limit = judge_periods(*loops, tolerance, result);
+  if (loops) r.period_limit = judge_periods(*loops, result);
   return result;
 }
 

@@ -69,9 +69,11 @@ Points turned_binormals(const Mesh_view& from, const Mesh_view& to, const Mesh_v
 namespace internal {
 
 /// as blends transform
-Spin_transformation_options options_of_blends(const Mesh_view& mesh, const Points& wanted)
+Spin_transformation_options options_of_blends(const Mesh_view& mesh, const Points& wanted,
+                                              const Dirac_options& dirac)
 {
   Spin_transformation_options options;
+  options.dirac = dirac;
   if (topology(mesh).is_closed()) return options;
   const Mesh_view aligned(align(wanted, mesh.positions()).apply(wanted), mesh.corners());
   options.boundary = Boundary_condition::binormals(turned_binormals(mesh, aligned, mesh, 1));
@@ -88,11 +90,11 @@ Curvature_potential corrected(const Mesh_view& mesh, Curvature_potential rho, co
                               const Go_further& go_further)
 {
   const int max_corrections = 6;
-  Spin_transformation transformation(mesh, options_of_blends(mesh, wanted));
+  Spin_transformation transformation(mesh, options_of_blends(mesh, wanted, options));
   const Eigen::VectorXd curvature = curvature_difference(mesh, wanted).values;
   Curvature_potential best = rho;
   for (double least = std::numeric_limits<double>::infinity(), i = 0; i < max_corrections; ++i) {
-    const Spin_result r = transformation.transform(rho, options, go_further);
+    const Spin_result r = transformation.transform(rho, go_further);
     if (!r.report.converged || r.report.cancelled) break;
     const double distance = align(r.positions, wanted).rms;
     if (!(distance < least)) break;
@@ -116,8 +118,9 @@ Curvature_potential nearest_curvature_difference(const Mesh_view& mesh, const Po
   Nearest_spin_options own;
   own.direction = {0, 0, 1};
   own.distance_tolerance = distance_tolerance;
+  own.surface.dirac = options;
   Nearest_spin_transformation search(mesh, positions, function, own);
-  Nearest_spin_result found = search.transform(options, go_further);
+  Nearest_spin_result found = search.transform(go_further);
   const bool has_binormals = topology(mesh).is_closed() || found.direction == own.direction;
   if (found.report && found.distance < found.source_distance && has_binormals)
     return internal::corrected(mesh, std::move(found.rho), found.positions, distance_tolerance,

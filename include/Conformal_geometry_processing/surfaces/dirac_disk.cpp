@@ -8,14 +8,15 @@
 
 namespace Conformal_geometry_processing {
 
-Spin_result dirac_disk(const Mesh_view& mesh, double wanted, Dirac_options options,
+Spin_result dirac_disk(const Mesh_view& mesh, double wanted, const Dirac_options& options,
                        const std::string& function)
 {
-  Spin_transformation transformation(mesh, {Boundary_condition::binormals()}, function);
-  options.branch = Dirac_options::Branch::smallest;
+  Spin_transformation_options own{Boundary_condition::binormals()};
+  own.dirac = options;
+  own.dirac.branch = Dirac_options::Branch::smallest;
   const auto rho =
       Curvature_potential::on_vertices(Eigen::VectorXd::Constant(mesh.size_of_vertices(), wanted));
-  Spin_result result = std::move(transformation).transform(rho, options);
+  Spin_result result = Spin_transformation(mesh, own, function).transform(rho);
   result.report.limits.map.flipped_share = 0;
   return result;
 }

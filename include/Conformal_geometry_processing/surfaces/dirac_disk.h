@@ -22,7 +22,7 @@ namespace Conformal_geometry_processing {
 /// \param wanted in 1/length; the eigenvalue itself is `wanted` plus that of the report
 /// \throw Precondition_error if the mesh is not suitable, or closed
 /// \throw Solver_error if a factorization fails
-Spin_result dirac_disk(const Mesh_view& mesh, double wanted, Dirac_options options = {},
+Spin_result dirac_disk(const Mesh_view& mesh, double wanted, const Dirac_options& options = {},
                        const std::string& function = "dirac_disk");
 
 }  // namespace Conformal_geometry_processing

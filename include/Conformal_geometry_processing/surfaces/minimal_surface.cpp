@@ -47,20 +47,18 @@ Boundary_condition internal::part_of_turn(const Mesh_view& mesh, Boundary_condit
 
 Spin_result internal::spin_towards_minimal_surface(const Mesh_view& mesh, double share,
                                                    Spin_transformation_options own,
-                                                   const Dirac_options& options,
                                                    const std::string& function,
                                                    const Go_further& go_further)
 {
   if (share < 1) own.boundary = part_of_turn(mesh, own.boundary, share);
   const auto rho = Curvature_potential::on_vertices(-share * mean_curvature(mesh));
-  Spin_result result = Spin_transformation(mesh, own, function).transform(rho, options, go_further);
+  Spin_result result = Spin_transformation(mesh, own, function).transform(rho, go_further);
   judge_minimality(mesh, own.boundary, result.report);
   return result;
 }
 
 double internal::share_of_way_to_minimal_surface(const Mesh_view& mesh,
                                                  const Spin_transformation_options& own,
-                                                 const Dirac_options& options,
                                                  const std::string& function,
                                                  const Go_further& go_further)
 {
@@ -68,7 +66,7 @@ double internal::share_of_way_to_minimal_surface(const Mesh_view& mesh,
   for (int k = 0; k < 6; ++k) {
     const double share = (exists + fails) / 2;
     const Spin_report r =
-        spin_towards_minimal_surface(mesh, share, own, options, function, go_further).report;
+        spin_towards_minimal_surface(mesh, share, own, function, go_further).report;
     if (r.cancelled) break;
     (r ? exists : fails) = share;
   }
@@ -76,18 +74,17 @@ double internal::share_of_way_to_minimal_surface(const Mesh_view& mesh,
 }
 
 Spin_result spin_to_minimal_surface(const Mesh_view& mesh, Spin_transformation_options own,
-                                    Dirac_options options, const std::string& function,
+                                    const std::string& function,
                                     const internal::Go_further& go_further)
 {
   own.exactness = std::nullopt;  // steps would leave the curvature that makes it minimal
   using Branch = Dirac_options::Branch;
-  if (options.branch == Branch::nearest) options.branch = Branch::zero;
-  if (options.kernel_tolerance == 0) options.kernel_tolerance = minimal_kernel_tolerance(mesh);
-  Spin_result result =
-      internal::spin_towards_minimal_surface(mesh, 1, own, options, function, go_further);
+  if (own.dirac.branch == Branch::nearest) own.dirac.branch = Branch::zero;
+  if (own.dirac.kernel_tolerance == 0) own.dirac.kernel_tolerance = minimal_kernel_tolerance(mesh);
+  Spin_result result = internal::spin_towards_minimal_surface(mesh, 1, own, function, go_further);
   if (result.report.fault() == Spin_report::Fault::boundary && !own.mollification)
     result.report.reached =
-        internal::share_of_way_to_minimal_surface(mesh, own, options, function, go_further);
+        internal::share_of_way_to_minimal_surface(mesh, own, function, go_further);
   return result;
 }
 

@@ -34,14 +34,12 @@ Boundary_condition part_of_turn(const Mesh_view& mesh, Boundary_condition condit
 /// a transformation by rho = -share H, with the directions turned by that share
 Spin_result spin_towards_minimal_surface(const Mesh_view& mesh, double share,
                                          Spin_transformation_options own,
-                                         const Dirac_options& options, const std::string& function,
-                                         const Go_further& go_further);
+                                         const std::string& function, const Go_further& go_further);
 
 /// the largest share for which that verifies, to 1/64, if all of the way does not
 double share_of_way_to_minimal_surface(const Mesh_view& mesh,
                                        const Spin_transformation_options& own,
-                                       const Dirac_options& options, const std::string& function,
-                                       const Go_further& go_further);
+                                       const std::string& function, const Go_further& go_further);
 
 }  // namespace internal
 
@@ -58,12 +56,13 @@ double share_of_way_to_minimal_surface(const Mesh_view& mesh,
 /// are refused, `Spin_report::reached` is the share of the way, from the present curvature and
 /// directions, for which there is a surface, at the cost of six more solves. If it is small, the
 /// steps of `conformal_willmore_flow()` with the same condition may arrive.
-/// \param own boundary: usually prescribed tangents or binormals; exactness is not used
+/// \param own boundary: usually prescribed tangents or binormals; exactness is not used; where the
+/// kernel tolerance of `dirac` is zero, that is `minimal_kernel_tolerance()`
 /// \throw Precondition_error if the mesh or the condition are not suitable
 /// \throw Solver_error if a factorization fails
 Spin_result spin_to_minimal_surface(
     const Mesh_view& mesh, Spin_transformation_options own = {Boundary_condition::tangents()},
-    Dirac_options options = {}, const std::string& function = "spin_to_minimal_surface",
+    const std::string& function = "spin_to_minimal_surface",
     const internal::Go_further& go_further = internal::Always_go_further());
 
 }  // namespace Conformal_geometry_processing

@@ -19,11 +19,10 @@ namespace CGP = Conformal_geometry_processing;
 template <class Solver_traits>
 CGP::Spin_result transformed(const Mesh_view& mesh, double tolerance)
 {
-  CGP::Dirac_options options;
-  options.tolerance = tolerance;
   CGP::Spin_transformation transformation(mesh, with_solvers<Solver_traits>());
+  transformation.dirac().tolerance = tolerance;
   const auto rho = rho_of_section_3_on_vertices(mesh);
-  return transformation.transform(CGP::Curvature_potential::on_vertices(rho), options);
+  return transformation.transform(CGP::Curvature_potential::on_vertices(rho));
 }
 
 double difference(const CGP::Spin_result& a, const CGP::Spin_result& b)
