@@ -40,7 +40,6 @@ std::vector<Row> all_rows()
   add_native_factors(rows);
   add_native_transforms(rows);
   add_strengths(rows);
-  add_multigrid(rows);
   add_other_transforms(rows);
   add_flows(rows);
   add_spectra(rows);

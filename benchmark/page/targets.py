@@ -91,16 +91,6 @@ def original_ratio(index):
     return lambda m: list(values(m))
 
 
-def huge(value):
-    return lambda m: [(row["mesh"], value(row)) for row in m.measured("transform", "multigrid")
-                      if HUGE <= row["faces"] < 4 * HUGE]
-
-
-def multigrid_exponent(m):
-    slope = m.sphere_exponent("transform", "multigrid", lambda row: row["seconds"], 500_000)
-    return [] if slope is None else [("", slope)]
-
-
 def largest_gigabytes(m):
     return [(row["mesh"], row["bytes"] / 1e9) for row in m.measured("transform")
             if row["faces"] >= 8e6]
@@ -170,9 +160,6 @@ TARGETS = [
     Target("memory above the mesh, no handles, float factor: bytes per vertex",
            of_transform(FLOAT, bytes_per_vertex, 2.2e6, has_no_handles), at_most=2000,
            form="{:.0f}"),
-    Target("memory above the mesh, no handles, multigrid: bytes per vertex",
-           of_transform("multigrid", bytes_per_vertex, 2.2e6, has_no_handles), at_most=1100,
-           form="{:.0f}"),
     Target("memory above the mesh, handles, float factor: bytes per vertex",
            of_transform(FLOAT, bytes_per_vertex, 2.2e6, has_handles), at_most=4000, form="{:.0f}"),
     Target("scans, amplitude 0.5 and 1: mean of time / P",
@@ -194,8 +181,6 @@ TARGETS = [
     Target("first ten eigenvalues of D, and of D - rho: time / P",
            lambda m: [(f"{row['mesh']}, {row['model']}", poisson_ratio(row))
                       for row in m.measured("spectrum")], at_most=30),
-    Target("2M faces, multigrid: time / P", huge(poisson_ratio), at_most=1.0),
-    Target("multigrid from 0.5M faces: exponent of time", multigrid_exponent, at_most=1.1),
     Target("8M faces: gigabytes", largest_gigabytes, at_most=10),
     Target("two threads, numeric factorization: speedup", speedup("numeric"), at_least=1.7),
     Target("two threads, first transformation: speedup", speedup("whole"), at_least=1.4),

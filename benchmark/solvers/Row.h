@@ -58,7 +58,6 @@ void add_other_factors(std::vector<Row>& rows);
 void add_native_transforms(std::vector<Row>& rows);
 void add_other_transforms(std::vector<Row>& rows);
 void add_strengths(std::vector<Row>& rows);
-void add_multigrid(std::vector<Row>& rows);
 void add_flows(std::vector<Row>& rows);
 void add_spectra(std::vector<Row>& rows);
 void add_threads(std::vector<Row>& rows);

@@ -49,7 +49,6 @@ using namespace Conformal_geometry_processing;
 /// \cgalHasModelsBegin
 /// \cgalHasModels{`Conformal_geometry_processing::Supernodal_cholesky`,}
 /// \cgalHasModels{`Conformal_geometry_processing::Embedded_hermitian_solver`,}
-/// \cgalHasModels{solvers of `Conformal_geometry_processing::Multigrid_solver_traits`,}
 /// \cgalHasModels{solvers of `Conformal_geometry_processing::Petsc_hermitian_solver_traits`.}
 /// \cgalHasModelsEnd
 class SparseHermitianSolver {

@@ -1,11 +1,10 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 // Tests direct_solvers.h eigensolvers.h settings.h
-// Tests iterative_solvers.h multigrid_solver.h
+// Tests iterative_solvers.h
 // Tests reduced_solver.h
 #include <Quaternionic_linear_algebra/direct_solvers.h>
 #include <Quaternionic_linear_algebra/eigensolvers.h>
 #include <Quaternionic_linear_algebra/iterative_solvers.h>
-#include <Quaternionic_linear_algebra/multigrid_solver.h>
 #include <Quaternionic_linear_algebra/reduced_solver.h>
 #include <Quaternionic_linear_algebra/settings.h>
 
@@ -56,11 +55,10 @@ double residual(const Matrix& A)
   return std::sqrt(CGP::inner_product(r, r).w);
 }
 
-TEST(Linear_algebra, solves_a_quaternionic_system_in_two_ways)
+TEST(Linear_algebra, solves_a_quaternionic_system)
 {
   const Matrix A = turned_path();
   EXPECT_LT(residual<CGP::Supernodal_cholesky<Quaternion>>(A), 1e-11);
-  EXPECT_LT(residual<CGP::internal::Multigrid_solver<Quaternion>>(A), 1e-8);
 }
 
 TEST(Linear_algebra, finds_the_eigenvalues_of_a_turned_path)

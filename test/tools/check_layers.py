@@ -10,7 +10,7 @@ import sources
 SOLVERS_LEVEL = {
     "threads": 1,
     "algebra": 2,
-    ".": 3, "adapters": 3, "dense": 3, "direct": 3, "krylov": 3, "multigrid": 3, "reduced": 3, "vector_units": 3,
+    ".": 3, "adapters": 3, "dense": 3, "direct": 3, "krylov": 3, "reduced": 3, "vector_units": 3,
 }
 LEVEL = {
     "mesh": 4,
