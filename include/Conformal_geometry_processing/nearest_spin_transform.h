@@ -107,7 +107,9 @@ Points read_points(const TriangleMesh& mesh, PointMap points, const NamedParamet
 ///     \cgalParamDefault{`Exactness::adjoint`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{limits}
-///     \cgalParamDescription{what counts as success, see `Spin_report::fault()`}
+///     \cgalParamDescription{what counts as success, see `Spin_report::fault()`; the search comes
+///     as
+///                           near to the target as they allow}
 ///     \cgalParamType{`Spin_report::Limits`}
 ///     \cgalParamDefault{`Spin_report::Limits()`}
 ///   \cgalParamNEnd

@@ -170,12 +170,30 @@ TEST_F(Fit, refuses_targets_that_do_not_fit_and_names_the_element)
   EXPECT_FALSE(has("b.ply"));
 }
 
+// The search goes on as long as its surfaces verify.
+TEST_F(Fit, comes_as_near_as_the_limits_allow)
+{
+  const auto beam = cgp_test::beam(4);
+  write("a.off", off(beam));
+  write("t.off", off(cgp_test::bent_beam(beam, 2)));
+  double distance = 1;
+  for (const std::string limit : {"1.002", "1.02", "1.5"}) {
+    const std::string fit = "fit -q a.off t.off -o b.ply --json b.json --limit quasi_conformal=";
+    ASSERT_EQ(run(fit + limit).code, 0) << limit;
+    EXPECT_LE(mean_error(json("b.json")), std::stod(limit));
+    const double now = json("b.json")["result"]["distance"]["rms"];
+    EXPECT_LT(now, distance) << limit << " " << mean_error(json("b.json"));
+    distance = now;
+  }
+}
+
 TEST_F(Fit, writes_what_does_not_verify_only_by_force)
 {
   const auto beam = cgp_test::beam(2);
   write("a.off", off(beam));
   write("t.off", off(cgp_test::bent_beam(beam, 2)));
-  const std::string fit = "fit -q a.off t.off -o b.ply --json b.json --limit quasi_conformal=1.001";
+  const std::string fit =
+      "fit -q a.off t.off -o b.ply --json b.json --keep-curvature --limit quasi_conformal=1.0001";
   EXPECT_TRUE(fails(run(fit), 1, "the mean quasi-conformal error is 1."));
   EXPECT_FALSE(has("b.ply"));
   EXPECT_FALSE(json("b.json")["verified"]);
