@@ -33,6 +33,7 @@ PROGRAM_LEVEL = {
     "curves": 8, "studio": 8, "transform": 8,
     "commands": 9, "studio/wasm": 9,
     ".": 10,
+    "mpi": 11,
 }
 BASE = {"config.h", "exceptions.h", "version.h"}
 

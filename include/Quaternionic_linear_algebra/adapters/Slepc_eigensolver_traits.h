@@ -50,7 +50,8 @@ inline Block<Quaternion<double>> quaternionic_basis(Block<Quaternion<double>> V,
 }
 
 // Solves K x = x theta by the LOBPCG of SLEPc, for a quaternionic K in complex form, where each
-// eigenvalue has even multiplicity: 2 k complex vectors correspond to k quaternionic ones.
+// eigenvalue has even multiplicity: 2 k complex vectors correspond to k quaternionic ones. Nothing
+// of the size of K is on every process.
 //
 // SLEPc tests the vectors of the block in sequence and returns those before the first that fails.
 // Guard vectors, which need not converge, pass the test so that all vectors are returned together;
@@ -58,13 +59,13 @@ inline Block<Quaternion<double>> quaternionic_basis(Block<Quaternion<double>> V,
 template <class GoFurther>
 class Slepc_lobpcg {
  public:
-  Slepc_lobpcg(const Petsc_matrix<Quaternion<double>>& K, PC preconditioner,
-               const Eigensolver_options& options, GoFurther& go_further)
-      : m_K(K), m_options(options), m_go_further(go_further)
+  // K has two rows for each quaternion
+  Slepc_lobpcg(Mat K, PC preconditioner, const Eigensolver_options& options, GoFurther& go_further)
+      : m_options(options), m_go_further(go_further)
   {
     check_petsc(EPSCreate(PETSC_COMM_WORLD, m_eps.renew()));
     check_petsc(EPSSetOptionsPrefix(m_eps.get(), "conformal_"));
-    check_petsc(EPSSetOperators(m_eps.get(), K.get(), nullptr));
+    check_petsc(EPSSetOperators(m_eps.get(), K, nullptr));
     check_petsc(EPSSetProblemType(m_eps.get(), EPS_HEP));
     check_petsc(EPSSetWhichEigenpairs(m_eps.get(), EPS_SMALLEST_REAL));
     check_petsc(EPSSetType(m_eps.get(), EPSLOBPCG));
@@ -80,18 +81,30 @@ class Slepc_lobpcg {
   // SLEPc requires a problem several times as large as the block.
   static bool is_possible(const Block<Quaternion<double>>& x) { return x.rows() >= 5 * x.cols(); }
 
-  Block<Quaternion<double>> run(const Block<Quaternion<double>>& x0)
+  // Starts from x and x j for some quaternionic vectors x, whose complex span is the quaternionic
+  // span of x.
+  void run(std::vector<Petsc_vec> initial)
   {
-    const PetscInt columns = static_cast<PetscInt>(2 * x0.cols());
+    const auto columns = static_cast<PetscInt>(initial.size());
     m_wanted = 2 * m_options.wanted;
     check_petsc(EPSLOBPCGSetBlockSize(m_eps.get(), columns));
     check_petsc(EPSSetDimensions(m_eps.get(), columns, PETSC_DEFAULT, PETSC_DEFAULT));
     check_petsc(EPSSetTolerances(m_eps.get(), m_options.tolerance, m_options.max_iterations + 2));
-    set_initial(x0);
+    std::vector<Vec> vectors;
+    for (const Petsc_vec& v : initial) vectors.push_back(v.get());
+    check_petsc(EPSSetInitialSpace(m_eps.get(), columns, vectors.data()));
     check_petsc(EPSSolve(m_eps.get()));
     if (m_exception) std::rethrow_exception(m_exception);
-    return vectors(x0.cols());
   }
+
+  // number c of the complex eigenvectors
+  void vector(int c, Vec v) const
+  {
+    check_petsc(EPSGetEigenvector(m_eps.get(), static_cast<PetscInt>(c), v, nullptr));
+  }
+
+  double value() const { return m_value; }
+  double estimate() const { return m_estimate; }
 
   int iterations() const { return m_iterations; }
   bool is_cancelled() const { return m_is_cancelled; }
@@ -118,35 +131,6 @@ class Slepc_lobpcg {
     PC inner = nullptr;
     const PetscErrorCode code = PCShellGetContext(shell, &inner);
     return code != 0 ? code : PCApply(inner, b, x);
-  }
-
-  // The complex span of x and x j is the quaternionic span of x.
-  void set_initial(const Block<Quaternion<double>>& x0)
-  {
-    const Quaternion<double> j{0, 0, 1, 0};
-    std::vector<Petsc_vec> owned;
-    std::vector<Vec> initial;
-    Block<Quaternion<double>> x = x0;
-    for (Eigen::Index c = 0; c < 2 * x.cols(); ++c) {
-      if (c % 2 == 1)
-        for (Eigen::Index i = 0; i < x.rows(); ++i) x(i, c / 2) = x(i, c / 2) * j;
-      owned.push_back(m_K.make_vector());
-      m_K.to_petsc(x, c / 2, owned.back().get());
-      initial.push_back(owned.back().get());
-    }
-    check_petsc(
-        EPSSetInitialSpace(m_eps.get(), static_cast<PetscInt>(initial.size()), initial.data()));
-  }
-
-  Block<Quaternion<double>> vectors(Eigen::Index columns) const
-  {
-    Block<Quaternion<double>> all(m_K.size(), 2 * columns);
-    const Petsc_vec v = m_K.make_vector();
-    for (Eigen::Index c = 0; c < all.cols(); ++c) {
-      check_petsc(EPSGetEigenvector(m_eps.get(), static_cast<PetscInt>(c), v.get(), nullptr));
-      m_K.from_petsc(v.get(), c, all);
-    }
-    return quaternionic_basis(std::move(all), columns);
   }
 
   // Called for each vector of the block in sequence.
@@ -191,7 +175,6 @@ class Slepc_lobpcg {
     return !m_is_cancelled;
   }
 
-  const Petsc_matrix<Quaternion<double>>& m_K;
   const Eigensolver_options m_options;
   GoFurther& m_go_further;
   Slepc_eps m_eps;
@@ -315,9 +298,10 @@ struct Slepc_eigensolver_traits {
     if (internal::Slepc_lobpcg<GoFurther>::is_possible(x) && options.max_iterations > 0) {
       internal::Petsc_matrix<Quaternion<double>> distributed(K.pattern(), grids.ordering());
       distributed.set_values(K, {});
-      internal::Slepc_lobpcg<GoFurther> slepc(distributed, grids.multigrid(),
+      internal::Slepc_lobpcg<GoFurther> slepc(distributed.get(), grids.multigrid(),
                                               above_rounding(options, K), go_further);
-      x = slepc.run(x);
+      slepc.run(initial(x, distributed));
+      x = vectors(slepc, x.cols(), distributed);
       iterations = slepc.iterations();
       is_cancelled = slepc.is_cancelled();
     }
@@ -331,6 +315,33 @@ struct Slepc_eigensolver_traits {
     result.solves += iterations;
     result.cancelled = result.cancelled || (is_cancelled && !result.converged);
     return result;
+  }
+
+  static std::vector<internal::Petsc_vec> initial(
+      Block<Quaternion<double>> x, const internal::Petsc_matrix<Quaternion<double>>& K)
+  {
+    const Quaternion<double> j{0, 0, 1, 0};
+    std::vector<internal::Petsc_vec> all;
+    for (Eigen::Index c = 0; c < 2 * x.cols(); ++c) {
+      if (c % 2 == 1)
+        for (Eigen::Index i = 0; i < x.rows(); ++i) x(i, c / 2) = x(i, c / 2) * j;
+      all.push_back(K.make_vector());
+      K.to_petsc(x, c / 2, all.back().get());
+    }
+    return all;
+  }
+
+  template <class Lobpcg>
+  static Block<Quaternion<double>> vectors(const Lobpcg& slepc, Eigen::Index columns,
+                                           const internal::Petsc_matrix<Quaternion<double>>& K)
+  {
+    Block<Quaternion<double>> all(K.size(), 2 * columns);
+    const internal::Petsc_vec v = K.make_vector();
+    for (Eigen::Index c = 0; c < all.cols(); ++c) {
+      slepc.vector(static_cast<int>(c), v.get());
+      K.from_petsc(v.get(), c, all);
+    }
+    return internal::quaternionic_basis(std::move(all), columns);
   }
 
   /// Keeps the tolerance of SLEPc above the rounding errors of products with K

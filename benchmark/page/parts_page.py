@@ -1,0 +1,37 @@
+# Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+"""doc/parts.md, from the record of benchmark/measure_parts."""
+
+from page import plot
+from page.tables import grouped, table
+
+
+def measured(rows):
+    return [row for row in rows if "faces" in row]
+
+
+def name_of(processes):
+    return "conformal spin" if processes == 0 else f"{processes} process{'es' if processes > 1 else ''}"
+
+
+def cells(row, alone):
+    """Of a row, and that of one process on the same mesh."""
+    most = max(row["megabytes"])
+    return [f"{row['faces']:,}", name_of(row["processes"]), f"{most:.0f}",
+            f"{most / max(alone['megabytes']):.2f}", f"{sum(row['megabytes']) / max(alone['megabytes']):.2f}",
+            f"{row['seconds']:.1f}", str(row["iterations"])]
+
+
+def blocks(rows):
+    lines = []
+    for _, some in grouped(measured(rows), "faces").items():
+        alone = next(row for row in some if row["processes"] == 1)
+        lines += [cells(row, alone) for row in some]
+    return {"parts": table(["faces", "", "MB, largest", "by that of 1", "sum, by that of 1", "CPU seconds",
+                            "iterations"], lines)}
+
+
+def figures(rows):
+    lines = {name_of(n): [(row["faces"], max(row["megabytes"])) for row in some]
+             for (n,), some in grouped(measured(rows), "processes").items()}
+    return {"parts_memory.svg": plot.curves(lines, "faces", "MB of the largest process",
+                                            "Peak memory of a spin transformation", ["conformal spin"])}

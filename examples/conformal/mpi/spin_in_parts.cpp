@@ -1,0 +1,243 @@
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#include "spin_in_parts.h"
+
+#include "Distributed_spin.h"
+#include "collective.h"
+
+#include "conformal/commands/keyed_options.h"
+#include "conformal/commands/option_groups.h"
+#include "conformal/input/Expression.h"
+#include "conformal/process/interruption.h"
+#include "conformal/process/text.h"
+#include "conformal/report/certificate.h"
+#include "conformal/transform/solve_spin.h"
+#include "conformal/transform/watched.h"
+
+#include <Conformal_geometry_processing/mesh/normals.h>
+
+#include <sys/resource.h>
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <optional>
+#include <utility>
+
+namespace conformal::mpi {
+namespace {
+
+const char* const spin_about =
+    "Deforms a closed surface without handles conformally so that its mean curvature changes by "
+    "rho,\n"
+    "as `conformal spin --max-scale none` does, on many processes, which may be on many machines:\n"
+    "  mpirun -n 4 conformal-mpi spin BIG.ply --rho-expression ... -o OUT.ply\n"
+    "No process ever has more than its part of the surface. The input is a binary PLY with\n"
+    "triangles; its other properties are carried over, and the output has the vertex properties\n"
+    "quality and rho. Lengths are not bounded: limbs may collapse, which the table tells.\n"
+    "rho is in 1/length of the normalised frame (the middle of the bounding box at 0, its "
+    "diagonal\n"
+    "2), positive rho bulges outward, constants have no effect.\n"
+    "PETSC_OPTIONS has options for the solvers, as -conformal_eps_monitor.\n"
+    "A result that does not verify is not written, and the exit code is 1.\n"
+    "Example: mpirun -n 2 conformal-mpi spin bear.ply --rho-expression 'sin(5*y)' -o out.ply";
+
+struct Options {
+  std::string input, expression;
+  double amplitude = 1;
+  bool force = false;
+  Verification_limits limits;
+};
+
+/// what every process has to know
+struct Job {
+  std::string input, output, expression;
+  double amplitude = 1, tolerance = 0;
+
+  NLOHMANN_DEFINE_TYPE_INTRUSIVE(Job, input, output, expression, amplitude, tolerance)
+};
+
+/// what the first process tells of the result
+struct Told {
+  CGP::Spin_report report;
+  int vertices = 0, faces = 0, handles = 0;
+  std::vector<double> megabytes, own_vertices, other_vertices;  // of each process
+  std::vector<std::string> left_out;
+};
+
+/// whether the result is written, decided by the first process
+using Approve = std::function<bool(const Told&)>;
+
+double peak_megabytes()
+{
+  rusage usage{};
+  ::getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024;
+}
+
+/// the frame of users, see `User_frame`
+struct Frame {
+  Eigen::Vector3d center;
+  double unit = 1;
+
+  explicit Frame(const CGP::Points& own)
+  {
+    Eigen::Vector3d low, high;
+    for (Eigen::Index c = 0; c < 3; ++c) {
+      low[c] = smallest(own.row(c).minCoeff());
+      high[c] = largest(own.row(c).maxCoeff());
+    }
+    center = low / 2 + high / 2;
+    unit = (high / 2 - low / 2).stableNorm();
+  }
+};
+
+/// rho at the vertices of the part, in the frame of users
+Eigen::VectorXd rho_of(const Job& job, const Distributed_mesh& mesh, const Frame& frame)
+{
+  const int own = mesh.own_vertices();
+  Eigen::MatrixXd rho(1, mesh.mesh().size_of_vertices());
+  together([&] {
+    Expression expression(job.expression);
+    const CGP::Points normals = CGP::vertex_normals(mesh.mesh());  // right at the own vertices
+    for (int v = 0; v < own; ++v) {
+      const Eigen::Vector3d p = (mesh.mesh().position(v) - frame.center) / frame.unit;
+      rho(0, v) = job.amplitude * expression(p, normals.col(v));
+      if (!std::isfinite(rho(0, v)))
+        throw unsuitable(job.input,
+                         "rho is not a finite number everywhere; try: a formula that is");
+    }
+  });
+  mesh.update(rho);
+  return rho.row(0);
+}
+
+void write(const Job& job, const Ply_ranges& file, const Distributed_mesh& mesh,
+           const Distributed_result& result, const Eigen::VectorXd& rho)
+{
+  Eigen::MatrixXd own(5, mesh.own_vertices());
+  own.topRows(3) = result.positions;
+  own.row(3) = result.quality.transpose();
+  own.row(4) = rho.head(mesh.own_vertices()).transpose();
+  const Eigen::MatrixXd rows = mesh.in_order_of_file(own);
+  const auto column = [&](const std::string& name, Eigen::Index r) {
+    const Eigen::VectorXd values = rows.row(r);
+    return Column{name, {values.data(), values.data() + values.size()}};
+  };
+  file.write(job.output, Ranges::equal(file.vertices()), rows.topRows(3),
+             {column("quality", 3), column("rho", 4)});
+}
+
+void do_job(const Job& job, const Go_further& go_further, const Approve& approve)
+{
+  std::optional<Ply_ranges> file;
+  together([&] { file.emplace(job.input); });
+  const Distributed_mesh mesh(*file);
+  together([&] {
+    if (mesh.handles() != 0)
+      throw unsuitable(job.input, "the surface has " + std::to_string(mesh.handles()) +
+                                      " handles, which only conformal spin keeps closed");
+  });
+  const Frame frame(mesh.mesh().positions().leftCols(mesh.own_vertices()));
+  const Eigen::VectorXd rho = rho_of(job, mesh, frame);
+  CGP::Dirac_options dirac;
+  dirac.tolerance = job.tolerance;
+  dirac.max_iterations = 1000;  // a cycle of grids each, not a solve with a factor
+  const Distributed_result result = transform(mesh, rho / frame.unit, dirac, {}, go_further);
+  const Told told{result.report,
+                  file->vertices(),
+                  file->faces(),
+                  mesh.handles(),
+                  of_each(peak_megabytes()),
+                  of_each(mesh.own_vertices()),
+                  of_each(mesh.mesh().size_of_vertices() - mesh.own_vertices()),
+                  file->left_out()};
+  if (broadcast(rank() == 0 && approve(told))) write(job, *file, mesh, result, rho);
+}
+
+void tell(const Told& told, Session& session)
+{
+  Report& report = session.report();
+  report.tell("input/vertices", "vertices", told.vertices);
+  report.tell("input/faces", "faces", told.faces);
+  report.set("result/processes/count", processes());
+  report.set("result/processes/vertices", Report::Value(told.own_vertices));
+  report.set("result/processes/other_vertices", Report::Value(told.other_vertices));
+  report.set("result/processes/peak_megabytes", Report::Value(told.megabytes));
+  const auto [least, most] = std::minmax_element(told.megabytes.begin(), told.megabytes.end());
+  report.show("peak memory of a process (MB)", text_of(*least, 4) + " to " + text_of(*most, 4));
+  for (const std::string& what : told.left_out) session.note("left out: " + what);
+  session.begin_stage();
+  tell_certificate(told.report, told.faces, session.outcome());
+}
+
+void add_options(CLI::App& command, Options& options, Common_options& common)
+{
+  command.add_option("input", options.input, "binary PLY file with triangles")->required();
+  command
+      .add_option("--rho-expression", options.expression,
+                  "formula in x y z (normalised frame), nx ny nz (outward normal), pi, e")
+      ->required()
+      ->check(formula);
+  command.add_option("--amplitude", options.amplitude, "multiplies rho")->capture_default_str();
+  add_output(command, common)->required();
+  advanced(command)
+      .add_option("--tolerance", common.tolerance, "of the eigenvector")
+      ->check(between_zero_and_one)
+      ->capture_default_str();
+  add_limits(command, options.limits, options.force);
+}
+
+Files files(const Options& options)
+{
+  return {{"the input", options.input, Named_file::Role::replaceable}};
+}
+
+void run(const Options& options, Session& session)
+{
+  const Common_options& common = session.options();
+  const Job job{options.input, common.output, options.expression, options.amplitude,
+                common.tolerance};
+  session.set_input(options.input);
+  broadcast(nlohmann::json(job).dump());
+  Verdict verdict;
+  const auto approve = [&](const Told& told) {
+    tell(told, session);
+    const CGP::Points none(3, 0);  // whether they are finite is known on all processes
+    verdict = judge(Evidence{none, told.report}, options.limits, "a weaker rho");
+    return signal_received() == 0 && !told.report.cancelled &&
+           (verdict.is_verified() || options.force);
+  };
+  watched(
+      [&](const Go_further& go_further) {
+        do_job(job, go_further, approve);
+        return Spin_solution();
+      },
+      session);
+  session.conclude(verdict, on_fault(options.force));
+}
+
+}  // namespace
+
+Command spin_command()
+{
+  return make_command<Options>("spin", spin_about, add_options, files, run);
+}
+
+void serve()
+{
+  const Go_further always = [](const CGP::Eigensolver_progress&) { return true; };
+  for (std::string text = broadcast(std::string()); !text.empty();
+       text = broadcast(std::string())) {
+    try {
+      do_job(nlohmann::json::parse(text).get<Job>(), always, {});
+    } catch (const std::exception&) {  // the first process tells it
+    }
+  }
+}
+
+void dismiss()
+{
+  broadcast(std::string());
+}
+
+}  // namespace conformal::mpi

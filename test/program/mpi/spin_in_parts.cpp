@@ -1,0 +1,179 @@
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+// Tests examples/conformal/mpi/spin_in_parts.cpp examples/conformal/mpi/Distributed_spin.cpp
+// Tests examples/conformal/mpi/Distributed_mesh.cpp examples/conformal/mpi/Ply_ranges.cpp
+// Tests examples/conformal/mpi/certify_distributed.cpp examples/conformal/mpi/collective.cpp
+// Tests examples/conformal/mpi/Distributed_matrix.h
+#include "conformal/input/Surface_input.h"
+#include "program/support.h"
+#include "support/bounded_meshes.h"
+#include "support/limbs.h"
+#include "support/random.h"
+#include "support/spheres.h"
+#include "support/tori.h"
+
+#include <nlohmann/json.hpp>
+
+#include <numeric>
+
+namespace cgp_test::spin_in_parts_tests {
+
+using namespace program_test;
+
+class Spin_in_parts : public Program {
+ protected:
+  /// on so many processes
+  Program_run run_on(int processes, const std::string& arguments) const
+  {
+    return shell(
+        "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 "
+        "OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_mpi_yield_when_idle=1 " CGP_MPI_RUN " " +
+        std::to_string(processes) + " " CGP_MPI_PROGRAM " spin " + arguments);
+  }
+
+  /// a binary PLY with one more property
+  void write_ply(const std::string& name, const Mesh_view& mesh) const
+  {
+    std::string text =
+        "ply\nformat binary_little_endian 1.0\nelement vertex " +
+        std::to_string(mesh.size_of_vertices()) +
+        "\nproperty float nx\nproperty double x\nproperty double y\nproperty double "
+        "z\nproperty short name\nelement face " +
+        std::to_string(mesh.size_of_faces()) +
+        "\nproperty uchar colour\nproperty list uchar int vertex_indices\nend_header\n";
+    const auto append = [&](const auto& value) {
+      text.append(reinterpret_cast<const char*>(&value), sizeof value);
+    };
+    for (int v = 0; v < mesh.size_of_vertices(); ++v) {
+      append(1.f);
+      for (Eigen::Index c = 0; c < 3; ++c) append(mesh.position(v)[c]);
+      append(static_cast<short>(v));
+    }
+    for (int f = 0; f < mesh.size_of_faces(); ++f) {
+      append(static_cast<unsigned char>(f % 7));
+      append(static_cast<unsigned char>(3));
+      append(mesh.corners(f));
+    }
+    write(name, text);
+  }
+
+  Mesh_view mesh(const std::string& name) const
+  {
+    return conformal::read_surface_input(path(name)).mesh;
+  }
+
+  /// mpiexec adds words of its own
+  static bool fails(const Program_run& run, int code, const std::string& words)
+  {
+    const std::size_t at = run.err.find("conformal: error: ");
+    EXPECT_NE(run.err.find(words, at), std::string::npos) << run.err;
+    return run.code == code && at != std::string::npos;
+  }
+
+  nlohmann::json json(const std::string& name) const { return read_json(name)["result"]; }
+};
+
+const std::string rho = " --rho-expression '1.5*sin(3*y+1)*cos(2*x)' --advanced tolerance=1e-9 -q ";
+
+double diagonal(const Points& p)
+{
+  return (p.rowwise().maxCoeff() - p.rowwise().minCoeff()).norm();
+}
+
+TEST_F(Spin_in_parts, gives_the_surface_of_one_process_without_a_bound)
+{
+  for (const Mesh_view& surface : {perturbed(bumpy_sphere(3), .02), dumbbell(3)}) {
+    write_ply("a.ply", surface);
+    ASSERT_EQ(run("spin a.ply -o one.ply --json one.json --max-scale none" + rho).code, 0);
+    const auto one = json("one.json");
+    const Points expected = mesh("one.ply").positions();
+    for (const int processes : {1, 2, 3}) {
+      const Program_run r = run_on(processes, "a.ply -o all.ply --json all.json" + rho);
+      ASSERT_EQ(r.code, 0) << r.err;
+      EXPECT_LT((mesh("all.ply").positions() - expected).colwise().norm().maxCoeff(),
+                1e-8 * diagonal(expected))
+          << processes;
+      EXPECT_EQ(mesh("all.ply").corners(), mesh("one.ply").corners());
+      const auto all = json("all.json");
+      for (const char* const name : {"eigenvalue", "closure_residual", "min_spin_ratio"})
+        EXPECT_NEAR(all[name], one[name], 1e-7) << name;
+      for (const char* const name : {"mean", "p99", "max"})
+        EXPECT_NEAR(all["quasi_conformal"][name], one["quasi_conformal"][name], 1e-6) << name;
+      for (const char* const name : {"rms", "max"})
+        EXPECT_NEAR(all["length_cross_ratio"][name], one["length_cross_ratio"][name], 1e-6);
+      for (const char* const name : {"min", "max", "collapsed_share"})
+        EXPECT_NEAR(all["scale"][name], one["scale"][name], 1e-6) << name;
+    }
+  }
+}
+
+// Of others, a process has those along its border: some times the root of its own.
+TEST_F(Spin_in_parts, divides_the_surface)
+{
+  const Mesh_view sphere = bumpy_sphere(4);
+  write_ply("a.ply", sphere);
+  ASSERT_EQ(run_on(3, "a.ply -o b.ply --json b.json" + rho).code, 0);
+  const std::vector<double> own = json("b.json")["processes"]["vertices"],
+                            others = json("b.json")["processes"]["other_vertices"];
+  EXPECT_EQ(std::accumulate(own.begin(), own.end(), 0.), sphere.size_of_vertices());
+  for (const double n : own) EXPECT_NEAR(n, sphere.size_of_vertices() / 3., 60);
+  for (const double n : others) EXPECT_LT(n, 6 * std::sqrt(sphere.size_of_vertices() / 3.));
+}
+
+TEST_F(Spin_in_parts, carries_other_properties_over_and_says_what_not)
+{
+  const Mesh_view sphere = perturbed(bumpy_sphere(2), .02);
+  write_ply("a.ply", sphere);
+  const std::string quiet = rho.substr(0, rho.find("-q"));
+  const Program_run r = run_on(2, "a.ply -o b.ply" + quiet);
+  ASSERT_EQ(r.code, 0);
+  EXPECT_NE(r.err.find("left out: normals"), std::string::npos) << r.err;
+  const conformal::Surface_file file = conformal::read_surface_input(path("b.ply")).file;
+  const conformal::Property* const names = find_numbers(file.vertices, "name");
+  ASSERT_NE(names, nullptr);
+  for (std::size_t v = 0; v < names->rows(); ++v) EXPECT_EQ(names->value(v), double(v));
+  const conformal::Property* const colours = find_numbers(file.faces, "colour");
+  ASSERT_NE(colours, nullptr);
+  for (std::size_t f = 0; f < colours->rows(); ++f) EXPECT_EQ(colours->value(f), double(f % 7));
+  EXPECT_EQ(find_numbers(file.vertices, "nx"), nullptr);
+  EXPECT_NE(find_numbers(file.vertices, "quality"), nullptr);
+  EXPECT_NE(find_numbers(file.vertices, "rho"), nullptr);
+}
+
+TEST_F(Spin_in_parts, refuses_what_it_cannot_divide)
+{
+  const auto is_refused = [&](const Mesh_view& surface, const std::string& words) {
+    write_ply("a.ply", surface);
+    const Program_run r = run_on(2, "a.ply -o b.ply" + rho);
+    return fails(r, 4, words);
+  };
+  EXPECT_TRUE(is_refused(disk(6), "only closed surfaces can be divided yet"));
+  EXPECT_TRUE(is_refused(btorus(12), "1 handles"));
+  const Mesh_view sphere = icosphere(2);
+  Points two(3, 2 * sphere.size_of_vertices());
+  two << sphere.positions(), sphere.positions().colwise() + Eigen::Vector3d(5, 0, 0);
+  auto corners = sphere.corners();
+  for (const auto& v : sphere.corners())
+    corners.push_back({v[0] + sphere.size_of_vertices(), v[1] + sphere.size_of_vertices(),
+                       v[2] + sphere.size_of_vertices()});
+  EXPECT_TRUE(is_refused({two, corners}, "several components"));
+  Points infinite = sphere.positions();
+  infinite(1, 7) = std::numeric_limits<double>::infinity();
+  EXPECT_TRUE(is_refused({infinite, sphere.corners()}, "vertex 7"));
+  write("text.ply", "ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nend_header\n");
+  EXPECT_TRUE(fails(run_on(2, "text.ply -o b.ply" + rho), 4, "not binary"));
+  EXPECT_TRUE(fails(run_on(2, "absent.ply -o b.ply" + rho), 3, "absent.ply"));
+  EXPECT_FALSE(has("b.ply"));
+}
+
+TEST_F(Spin_in_parts, writes_what_does_not_verify_only_by_force)
+{
+  write_ply("a.ply", bumpy_sphere(3));
+  const std::string limit = "a.ply -o b.ply --limit quasi_conformal=1.0001" + rho;
+  EXPECT_TRUE(fails(run_on(2, limit), 1, "the mean quasi-conformal error is 1."));
+  EXPECT_FALSE(has("b.ply"));
+  EXPECT_FALSE(has("b.ply.part"));
+  EXPECT_EQ(run_on(2, limit + "--force").code, 0);
+  EXPECT_TRUE(has("b.ply"));
+}
+
+}  // namespace cgp_test::spin_in_parts_tests
