@@ -67,6 +67,19 @@ elseif(Python3_FOUND AND TARGET conformal AND CGP_HAS_THREE)
   endif()
 endif()
 
+# The npm package, installed from its archive.
+find_program(CGP_NODE NAMES node nodejs)
+mark_as_advanced(CGP_NODE)
+if(CGP_NPM_PACKAGE AND CGP_NODE AND NPM_EXECUTABLE AND Python3_FOUND)
+  set(npm_arguments ${CGP_NPM_PACKAGE} ${CGP_NODE} ${NPM_EXECUTABLE})
+  if(CGP_CHROMIUM)
+    list(APPEND npm_arguments ${Three_MODULE} ${CGP_CHROMIUM})
+  endif()
+  add_test(NAME npm.package COMMAND ${Python3_EXECUTABLE}
+           ${CMAKE_CURRENT_SOURCE_DIR}/tools/check_npm_package.py ${npm_arguments})
+  set_tests_properties(npm.package PROPERTIES TIMEOUT 600)
+endif()
+
 # test/compile_fail/*.cpp must not compile, and the message must match the first line's
 # `// expect: <regular expression>`.
 file(GLOB failing CONFIGURE_DEPENDS compile_fail/*.cpp)

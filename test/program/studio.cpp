@@ -10,6 +10,7 @@
 #include "conformal/input/User_frame.h"
 #include "conformal/studio/built_in_shapes.h"
 #include "conformal/studio/studio_page.h"
+#include "conformal/studio/studio_page_text.h"
 
 #include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Conformal_geometry_processing/mesh/topology.h>
@@ -30,7 +31,7 @@ class Studio : public Program {
  protected:
   Studio() { write("a.off", off(cgp_test::bumpy_sphere(2))); }
 
-  bool is_built_in() const { return conformal::why_no_studio().empty(); }
+  bool is_built_in() const { return conformal::studio_page_begin[0] != '\0'; }
 };
 
 /// a soft bump at the side, in the user's frame
@@ -55,7 +56,10 @@ TEST_F(Studio, is_written_or_refused_with_the_reason)
     EXPECT_NE(page.find("id=\"squares-0\""), std::string::npos);
     EXPECT_EQ(page.find("id=\"squares-1\""), std::string::npos);
   } else {
-    EXPECT_TRUE(fails(r, 2, conformal::why_no_studio()));
+    EXPECT_TRUE(fails(r, 2, conformal::studio_page_fault));
+    EXPECT_TRUE(fails(r, 2, conformal::installed_studio_page()));
+    EXPECT_TRUE(fails(r, 2, "--advanced page=FILE"));
+    EXPECT_TRUE(fails(r, 2, "minutes"));
     EXPECT_TRUE(fails(r, 2, "-DCGP_STUDIO=ON -DCGP_HTML_REPORT=ON && cmake --build "));
     EXPECT_FALSE(has("page.html"));
   }
@@ -94,7 +98,7 @@ TEST_F(Studio, writes_nothing_where_it_cannot_be_used)
 
 TEST(Studio_page, begins_with_the_bound_of_the_program)
 {
-  EXPECT_NE(conformal::studio_page({}).find("\"bound\":2.0,"), std::string::npos);
+  EXPECT_NE(conformal::studio_page({}, {}).find("\"bound\":2.0,"), std::string::npos);
 }
 
 TEST(Studio_surface, finds_what_the_library_finds)

@@ -19,6 +19,7 @@ import tempfile
 
 from check_example import sphere, write_off
 from headless_page import Browser
+from report_view import check_head
 
 EMPTY = (238, 241, 245)  # of the view, where no surface is
 
@@ -192,6 +193,7 @@ def main():
         check_drawing("squares", browser.screenshot(page, "#squares"), lambda r, g, b: b > 1.3 * r)
         check_drawing("quality", browser.screenshot(page, "#quality"), lambda r, g, b: r > 1.3 * b)
         check_collapse(browser, conformal, source)
+        check_head(conformal, chromium, source, require)
 
 
 if __name__ == "__main__":

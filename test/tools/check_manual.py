@@ -8,6 +8,7 @@ program, and the version is the same everywhere. What is installed was built bef
 """
 
 import re
+import struct
 import sys
 
 import check_thesis_map
@@ -20,6 +21,7 @@ from page import pages  # noqa: E402
 DOC = sources.ROOT / "doc"
 PAGES = ["README.md", "doc/overview.md", "doc/gallery.md", "doc/CHANGELOG.md", "doc/evidence.md"]
 LONGEST_README = 400  # words
+LARGEST_PICTURE = 2_000_000  # bytes
 LONGEST_DOC = 45_000  # words of all pages in doc/, which must not grow again
 LINK = re.compile(r"\]\((?!https?:)([^)#]*)(?:#([^)]+))?\)")
 MEASURED = re.compile(r"(Written by|Measured\W+by|^)\s*`benchmark/\w+`", re.MULTILINE)
@@ -110,6 +112,17 @@ def pictures():
             yield f"doc/figures/{picture.name} is drawn by no program"
 
 
+def animation():
+    """The picture of a stroke moves, is small enough for a first page, and runs for ever."""
+    data = (DOC / "figures/stroke.png").read_bytes()
+    control = data.find(b"acTL")
+    frames, plays = struct.unpack(">II", data[control + 4:control + 12]) if control > 0 else (0, 1)
+    if frames < 12 or plays != 0 or data.count(b"fcTL") != frames:
+        yield f"doc/figures/stroke.png has {frames} frames, shown {plays or 'any number of'} times"
+    if len(data) > LARGEST_PICTURE:
+        yield f"doc/figures/stroke.png has {len(data)} bytes"
+
+
 def installations():
     """What is installed in a block of commands was built in it before."""
     pages = [sources.ROOT / "README.md", *DOC.glob("*.md"), *DOC.glob("manual/*.txt")]
@@ -142,6 +155,7 @@ def complaints():
     yield from examples()
     yield from named_parameters()
     yield from pictures()
+    yield from animation()
     yield from version()
     yield from installations()
 

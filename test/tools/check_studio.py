@@ -19,6 +19,7 @@ from check_html_report import bumpy_sphere, is_marked, leaves, require
 from devtools import browser
 from headless_page import read_png
 from studio_page import Studio
+from studio_view import check_phone, check_pointer
 
 CONTROL, MANY_STROKES, ROUNDING, GUIDED = 2, 200, 1e-6, 1e-5  # of spins; of gaps, which single precision guides
 
@@ -290,6 +291,8 @@ def main():
             check_touch(studio, folder / "page.html")
             studio.open(folder / "demo.html")
             check_shapes(studio, conformal)
+            check_pointer(studio, folder / "demo.html")
+            check_phone(studio, folder / "demo.html")
             require(not page.complaints, f"the browser complains: {page.complaints}"[:2000])
             elsewhere = [url for url in page.requests if not url.startswith(("file:", "blob:", "data:"))]
             require(not elsewhere, f"the page loads {elsewhere}")

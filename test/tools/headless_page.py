@@ -9,7 +9,7 @@ import zlib
 FLAGS = ["--headless", "--no-sandbox", "--disable-dev-shm-usage", "--use-angle=swiftshader",
          "--enable-unsafe-swiftshader", "--hide-scrollbars", "--force-device-scale-factor=1",
          "--virtual-time-budget=30000", "--enable-logging=stderr",
-         "--host-resolver-rules=MAP * ~NOTFOUND"]
+         "--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1"]
 
 
 class Browser:
@@ -17,7 +17,7 @@ class Browser:
         self.command = [program, *FLAGS, f"--user-data-dir={folder}/profile"]
         self.folder = folder
 
-    def run(self, option, address, size=(1000, 800)):
+    def run(self, option, address, size=(1000, 1100)):
         window = "--window-size={},{}".format(*size)
         result = subprocess.run([*self.command, window, option, address], capture_output=True,
                                 timeout=240, check=False)

@@ -19,7 +19,7 @@ else()
   endif()
 endif()
 
-cgp_build_advice("-DCGP_STUDIO=ON -DCGP_HTML_REPORT=ON" "some minutes for emscripten" studio_advice emscripten
+cgp_build_advice("-DCGP_STUDIO=ON -DCGP_HTML_REPORT=ON" "about ten minutes, most of them for emscripten" studio_advice emscripten
                  npm)
 set(studio_arguments -D "FAULT=${studio_fault}" -D "ADVICE=${studio_advice}")
 set(studio_parts "")
@@ -68,7 +68,7 @@ if(CGP_HAS_STUDIO)
   set(kernels ${CMAKE_CURRENT_BINARY_DIR}/studio_kernels.js)
   add_custom_command(OUTPUT ${kernels}
                      COMMAND ${emxx} ${objects} -o ${kernels} -sMODULARIZE=1
-                             -sEXPORT_NAME=makeKernels -sENVIRONMENT=web,worker,node -sSINGLE_FILE=1
+                             -sEXPORT_NAME=makeKernels -sENVIRONMENT=web,worker -sSINGLE_FILE=1
                              -sALLOW_MEMORY_GROWTH=1 -sFILESYSTEM=0 -sDYNAMIC_EXECUTION=0
                              "-sEXPORTED_FUNCTIONS=['_malloc','_free']"
                              "-sEXPORTED_RUNTIME_METHODS=['UTF8ToString']"
@@ -83,7 +83,8 @@ set(studio_page ${CMAKE_CURRENT_BINARY_DIR}/studio_page.cpp)
 file(GLOB studio_sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/page/*
      ${CMAKE_CURRENT_LIST_DIR}/../report/html/*)
 add_custom_command(OUTPUT ${studio_page}
-                   COMMAND ${CMAKE_COMMAND} -D OUTPUT=${studio_page} ${studio_arguments}
+                   COMMAND ${CMAKE_COMMAND} -D OUTPUT=${studio_page} -D PREFIX=${CMAKE_INSTALL_PREFIX}
+                           ${studio_arguments}
                            -P ${CMAKE_CURRENT_LIST_DIR}/page/join.cmake
                    DEPENDS ${studio_sources} ${studio_parts} VERBATIM)
 target_sources(conformal_lib PRIVATE ${studio_page})

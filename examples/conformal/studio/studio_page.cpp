@@ -1,8 +1,6 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include "studio_page.h"
 
-#include "studio_page_text.h"
-
 #include "conformal/report/conformal_charts.h"
 #include "conformal/report/page_blocks.h"
 
@@ -31,7 +29,7 @@ std::string data_of(const Studio_shape& shape, std::size_t k)
 
 }  // namespace
 
-std::string studio_page(const std::vector<Studio_shape>& shapes)
+std::string studio_page(const std::vector<Studio_shape>& shapes, const Studio_frame& frame)
 {
   nlohmann::json list;
   std::string data;
@@ -47,14 +45,7 @@ std::string studio_page(const std::vector<Studio_shape>& shapes)
                                {"bound", CGP::internal::default_scale_bound},
                                {"shapes", list}};
   const auto replace = nlohmann::json::error_handler_t::replace;  // a path need not be UTF-8
-  return studio_page_begin + json_block("studio", page.dump(-1, ' ', false, replace)) + data +
-         studio_page_end;
-}
-
-std::string why_no_studio()
-{
-  const std::string fault = studio_page_fault;
-  return fault.empty() ? fault : fault + "; try: " + studio_page_advice;
+  return frame.begin + json_block("studio", page.dump(-1, ' ', false, replace)) + data + frame.end;
 }
 
 }  // namespace conformal

@@ -1,6 +1,8 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #pragma once
 
+#include "studio_frame.h"
+
 #include "conformal/report/Exhibit.h"
 
 #include <string>
@@ -23,10 +25,6 @@ struct Studio_shape {
 /// It contains the kernels as WebAssembly, and of each shape k the blocks `positions-k` (float64, 3
 /// per vertex), `faces-k` (uint32), `squares-k` (float32, 2 per corner) and `origin-k` (uint32,
 /// `vertex_in_file`).
-/// \pre `why_no_studio()` is empty
-std::string studio_page(const std::vector<Studio_shape>& shapes);
-
-/// why this program cannot write such pages, and how to build one that can; empty if it can
-std::string why_no_studio();
+std::string studio_page(const std::vector<Studio_shape>& shapes, const Studio_frame& frame);
 
 }  // namespace conformal

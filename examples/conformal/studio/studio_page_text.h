@@ -17,4 +17,7 @@ extern const char* const studio_page_fault;
 /// the commands that build a program which has it
 extern const char* const studio_page_advice;
 
+/// below which this program is installed
+extern const char* const studio_page_prefix;
+
 }  // namespace conformal

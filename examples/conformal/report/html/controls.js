@@ -60,6 +60,10 @@ function control(canvas, THREE, pose, redraw, isTaken) {
     zoom(Math.exp(-event.deltaY * (event.deltaMode ? .04 : .0012)));
   });
   on('contextmenu', event => event.preventDefault());
+  on('mousedown', event => { // or a drag that leaves the canvas selects words of the page
+    event.preventDefault();
+    canvas.focus({preventScroll: true});
+  });
   on('dblclick', reset);
   const keys = {ArrowLeft: () => turn(-.1, 0), ArrowRight: () => turn(.1, 0), '+': () => zoom(1.15),
                 ArrowUp: () => turn(0, -.1), ArrowDown: () => turn(0, .1), '-': () => zoom(1 / 1.15),

@@ -1,6 +1,6 @@
 /* Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later */
 
-// The report in words: heading, tiles, certificate, seconds, and the way there.
+// The report in words: heading, certificate, seconds, and the way there.
 
 const names = {
   'quasi_conformal/mean': 'Quasi-conformal error Q, mean', 'quasi_conformal/p99': 'Q, 99 % of the area',
@@ -70,37 +70,6 @@ function lead() {
   if (genus !== null && genus !== undefined) shape.push(`genus ${genus}`);
   const counts = `${Number(vertices).toLocaleString('en')} vertices, ${Number(count).toLocaleString('en')} faces`;
   return [counts, ...shape].join(', ') + '.';
-}
-
-/** What the new surface has of rho, and what was left out of it. */
-function realisedTile() {
-  const {share, correlation, agreement, least_agreement: least, left_out: leftOut} =
-      at('result/realised_curvature') ?? {};
-  if (typeof agreement !== 'number') return [];
-  const left = leftOut > .005 ? `, ${number(100 * leftOut, 2)} % left out` : '';
-  return [[`${number(100 * share, 3)} %`,
-           `of ρ realised, correlation ${number(correlation, 2)}${left}`,
-           agreement >= least ? 'good' : 'poor']];
-}
-
-function tiles() {
-  const fourPi = 4 * Math.PI, all = [];
-  const add = (place, name, show = value => number(value, 4)) => {
-    if (typeof at(place) === 'number') all.push([show(at(place)), name, '']);
-  };
-  if (typeof report.verified === 'boolean')
-    all.push(report.verified ? ['verified', 'by its certificate', 'good']
-                             : ['not verified', 'written by force', 'poor']);
-  all.push(...realisedTile());
-  add('result/quasi_conformal/mean', 'mean Q, 1 is conformal');
-  add('result/quasi_conformal/p99', 'Q, 99 % of the area');
-  add('result/flipped_faces', 'flipped faces', String);
-  add('result/closure_residual', 'closure residual', value => number(value, 2));
-  if (typeof at('result/energy/final') === 'number')
-    all.push([`${number(at('result/energy/initial') / fourPi, 3)} → ` +
-              number(at('result/energy/final') / fourPi, 3), 'Willmore energy / 4π', '']);
-  return all.map(([value, name, kind]) =>
-      `<li class="${kind}"><b>${escape(value)}</b><span>${escape(name)}</span></li>`).join('');
 }
 
 /** Curves of the steps of a flow, or of the frames of a blend; empty if there are none. */

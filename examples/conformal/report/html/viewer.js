@@ -59,6 +59,8 @@ function makeUniforms(THREE, {highest, widest, deepest}) {
   };
 }
 
+const nameHeight = 30; // pixels above views that are one above the other
+
 /** `isTaken(event)`: whether a pointer that goes down is not for the camera. `modes`: what is shown
     on each side, a number of the shader. */
 function makeViewer(THREE, canvas, ranges, isTaken = () => false) {
@@ -77,7 +79,8 @@ function makeViewer(THREE, canvas, ranges, isTaken = () => false) {
   const camera = new THREE.PerspectiveCamera(28, 1, .01, 100);
   const start = new THREE.Quaternion();
   const pose = {turn: start.clone(), start, x: 0, y: 0, zoom: 1};
-  const viewer = {uniforms, pose, modes: [0, 0], home: new Float32Array()};
+  const viewer = {uniforms, pose, modes: [0, 0], home: new Float32Array(),
+                  ring: {side: -1, radius: 0}}; // of the brush, drawn on the surface but on this side
   const radii = [0, 0], frames = [];
   let exhibit = null, radius = 1, areasBefore = null;
 
@@ -142,11 +145,13 @@ function makeViewer(THREE, canvas, ranges, isTaken = () => false) {
     viewer.redraw();
   };
 
-  /** Where the two sides are: beside each other, or one above the other. */
+  const isTall = () => canvas.clientHeight > 1.1 * canvas.clientWidth;
+
+  /** Where the two sides are: beside each other, or one above the other, below their names. */
   viewer.rectangles = () => {
     const {clientWidth: width, clientHeight: height} = canvas;
-    return height > 1.1 * width
-        ? [0, 1].map(side => ({left: 0, top: side * height / 2, width, height: height / 2}))
+    return isTall()
+        ? [0, 1].map(side => ({left: 0, top: side * height / 2 + nameHeight, width, height: height / 2 - nameHeight}))
         : [0, 1].map(side => ({left: side * width / 2, top: 0, width: width / 2, height}));
   };
 
@@ -155,6 +160,7 @@ function makeViewer(THREE, canvas, ranges, isTaken = () => false) {
     const wanted = [canvas.clientWidth, canvas.clientHeight, window.devicePixelRatio].join(' ');
     if (size === wanted) return;
     size = wanted;
+    canvas.parentElement.classList.toggle('tall', isTall());
     renderer.setPixelRatio(window.devicePixelRatio);
     renderer.setSize(canvas.clientWidth, canvas.clientHeight, false);
   }
@@ -178,10 +184,11 @@ function makeViewer(THREE, canvas, ranges, isTaken = () => false) {
       const {left, top, width, height} = rectangle, bottom = canvas.clientHeight - top - height;
       aim(rectangle);
       uniforms.mode.value = viewer.modes[side];
+      uniforms.brush.value.w = viewer.ring.side === side ? 0 : viewer.ring.radius;
       material.uniformsNeedUpdate = true;
       sides[side].mesh.quaternion.copy(pose.turn);
       renderer.setViewport(left, bottom, width, height);
-      renderer.setScissor(left, bottom, width, height);
+      renderer.setScissor(left, bottom, width, isTall() ? height + nameHeight : height);
       renderer.render(sides[side].scene, camera);
     });
     viewer.onDraw?.();
@@ -211,6 +218,10 @@ function makeViewer(THREE, canvas, ranges, isTaken = () => false) {
             direction: caster.ray.direction.applyQuaternion(back).toArray(),
             corners: sides[side].mesh.geometry.getAttribute('position').array};
   };
+
+  /** How many pixels of the canvas a unit of the viewer has at a distance from the camera. */
+  viewer.pixels = (side, distance) =>
+      viewer.rectangles()[side].height * pose.zoom / (2 * Math.tan(camera.fov * Math.PI / 360) * distance);
 
   /** Turned as it is seen, a point of the shape after. */
   const seen = point => {

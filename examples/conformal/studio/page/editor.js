@@ -5,8 +5,8 @@
 const modes = ['squares', 'angles', 'sizes', 'paint', 'plain'];
 const ranges = {highest: 1.1, widest: 3, deepest: 3};
 const instructions = {
-  bulge: 'Drag on a shape: where you paint, it bulges. The surface follows, and every angle stays as it was.',
-  dent: 'Drag on a shape: where you paint, it is dented. The surface follows, and every angle stays as it was.',
+  bulge: 'Drag on a shape: where you paint, it bulges, and every angle stays as it was.',
+  dent: 'Drag on a shape: where you paint, it is dented, and every angle stays as it was.',
   erase: 'Drag over paint to take it away again.',
   pull: 'Drag a point of the surface on the right; pins hold it elsewhere. Click to add a pin.', turn: 'Drag to turn both shapes.'
 };
@@ -25,7 +25,6 @@ function chooseTool(tool) {
   brush.tool = tool;
   press('tools', button => button.dataset.tool === tool);
   element('instruction').textContent = instructions[tool];
-  element('canvas').classList.toggle('turning', tool === 'turn');
 }
 
 function chooseMode(mode) {

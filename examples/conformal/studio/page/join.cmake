@@ -2,7 +2,7 @@
 # Joins the sources of the studio, the viewer of the reports, three.js and the kernels into C++ that
 # holds the page.
 #
-# usage: cmake -D OUTPUT=FILE.cpp
+# usage: cmake -D OUTPUT=FILE.cpp -D PREFIX=FOLDER
 #              [-D THREE=FILE -D LICENSE=FILE -D KERNELS=FILE | -D FAULT=WORDS -D ADVICE=WORDS] -P join.cmake
 
 set(here ${CMAKE_CURRENT_LIST_DIR})
@@ -18,7 +18,9 @@ if(THREE)
   file(READ ${THREE} three)
   file(READ ${LICENSE} license)
   file(READ ${KERNELS} kernels)
+  file(READ ${here}/surface.js surface)
   file(READ ${here}/worker.js worker)
+  string(PREPEND worker "${surface}")
   set(code "")
   foreach(part ${reports}/geometry ${reports}/colours ${reports}/controls ${reports}/checkerboard
                ${reports}/shaders ${reports}/viewer data kernels history session brush strokes pulls formula
@@ -37,3 +39,8 @@ style-src ${style_hash}; img-src data: blob:; connect-src data:; base-uri 'none'
   endforeach()
 endif()
 write_page(${OUTPUT} conformal/studio/studio_page_text.h studio_page "${FAULT}" "${ADVICE}")
+file(APPEND ${OUTPUT} "
+namespace conformal {
+const char* const studio_page_prefix = \"${PREFIX}\";
+}
+")

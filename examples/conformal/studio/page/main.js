@@ -109,10 +109,16 @@ function listenToView() {
     viewer.uniforms.edges.value = element('edges').checked;
     viewer.redraw();
   });
-  new ResizeObserver(() => {
-    const {clientWidth, clientHeight} = element('canvas');
-    element('view').classList.toggle('tall', clientHeight > 1.1 * clientWidth);
-  }).observe(element('view'));
+  for (const event of ['pointermove', 'pointerdown']) listen('canvas', event, tellDrag);
+}
+
+/** Shows what a drag that begins here does, by the pointer; while it turns, in words. */
+function tellDrag(event) {
+  if (event.type === 'pointermove' && event.buttons !== 0) return;
+  const drag = strokes.hits(event) ? 'paint' : pulls.hits(event) ? 'pull' : 'turn';
+  element('canvas').dataset.drag = drag;
+  element('gesture').textContent = brush.tool === 'turn' ? '' : 'Turning. To edit, begin on the shape';
+  element('gesture').hidden = brush.tool === 'turn';
 }
 
 function offerShapes() {
@@ -124,7 +130,7 @@ function offerShapes() {
 async function start() {
   const code = URL.createObjectURL(new Blob([text('three')], {type: 'text/javascript'}));
   viewer = makeViewer(await import(code), element('canvas'), ranges, event => strokes.takes(event) || pulls.takes(event));
-  strokes = new Strokes(element('canvas'), viewer, () => brush, edit);
+  strokes = new Strokes(element('canvas'), element('ring'), viewer, () => brush, edit);
   viewer.onDraw = placePins;
   pulls = new Pulls(element('canvas'), viewer, () => brush, pull);
   offerShapes();

@@ -31,6 +31,12 @@ class Pulls {
     canvas.addEventListener('pointercancel', event => this.#end(event));
   }
 
+  /** Whether a pull can begin there. */
+  hits(event) {
+    const ray = this.tool().tool === 'pull' && this.viewer.ray(event.offsetX, event.offsetY);
+    return Boolean(ray) && ray.side === 1 && meet(ray) !== null;
+  }
+
   /** Whether a pointer that goes down pulls. */
   takes(event) {
     if (event.button !== 0 || event.shiftKey || this.tool().tool !== 'pull' || this.#pull) return false;

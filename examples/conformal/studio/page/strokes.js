@@ -2,6 +2,12 @@
 
 // Strokes of the brush, by mouse, pen, finger or key.
 
+const breadth = 14; // of a finger, in pixels from its middle
+
+function perimeter(corners) {
+  return [0, 3, 6].reduce((sum, i) => sum + Math.hypot(...[0, 1, 2].map(k => corners[i + k] - corners[(i + 3) % 9 + k])), 0);
+}
+
 /** `tool()` has {tool, size, strength, symmetric}; `edit` begins with ground(), shows what is painted
     by paint(rho), and ends with finish(rho) or cancel(). */
 class Strokes {
@@ -9,13 +15,16 @@ class Strokes {
   #links = null; // neighbours of the vertices of the faces at hand
   #faces = null;
 
-  constructor(canvas, viewer, tool, edit) {
-    Object.assign(this, {canvas, viewer, tool, edit});
+  constructor(canvas, circle, viewer, tool, edit) {
+    Object.assign(this, {canvas, circle, viewer, tool, edit});
     canvas.addEventListener('pointermove', event => this.#move(event));
     canvas.addEventListener('pointerup', event => this.#end(event));
     canvas.addEventListener('pointercancel', event => this.#end(event));
-    canvas.addEventListener('pointerleave', () => this.#ring(null));
+    canvas.addEventListener('pointerleave', () => this.#ring(null, {}));
   }
+
+  /** Whether a stroke can begin there. */
+  hits(event) { return this.#paints() && this.#near(event) !== null; }
 
   /** Whether a pointer that goes down paints. A second finger makes two that turn. */
   takes(event) {
@@ -27,11 +36,11 @@ class Strokes {
       return false;
     }
     if (event.button !== 0 || event.shiftKey || !this.#paints()) return false;
-    const point = this.#point(event.offsetX, event.offsetY);
-    if (!point) return false;
+    const hit = this.#near(event);
+    if (!hit) return false;
     this.canvas.setPointerCapture(event.pointerId);
     this.#begin(event);
-    this.#dab(point);
+    this.#dab(hit.point);
     this.#paint();
     return true;
   }
@@ -39,25 +48,46 @@ class Strokes {
   /** Paints one dab in the middle of the surface, or else of the first shape. */
   dabInTheMiddle() {
     const places = this.viewer.rectangles().map(r => [r.left + r.width / 2, r.top + r.height / 2]);
-    const point = this.#point(...places[1]) ?? this.#point(...places[0]);
-    if (!point || !this.#paints()) return;
+    const hit = this.#hit(...places[1]) ?? this.#hit(...places[0]);
+    if (!hit || !this.#paints()) return;
     this.#begin({pointerId: -1, offsetX: 0, offsetY: 0});
-    this.#dab(point);
+    this.#dab(hit.point);
     this.#end({pointerId: -1});
   }
 
-  #point(x, y) {
+  /** What is met there: its place on the first shape, the side, and the pixels of a unit of the first shape. */
+  #hit(x, y) {
     const ray = this.viewer.ray(x, y), hit = ray && meet(ray);
-    return hit && pointOf(this.edit.faces(), this.viewer.home, hit);
+    if (!hit) return null;
+    const {home} = this.viewer, faces = this.edit.faces().subarray(3 * hit.face, 3 * hit.face + 3);
+    const seen = Array.from(ray.corners.subarray(9 * hit.face, 9 * hit.face + 9));
+    const scale = perimeter(seen) / perimeter(Array.from(faces).flatMap(v => placeOf(home, v)));
+    return {point: pointOf(this.edit.faces(), home, hit), side: ray.side,
+            pixels: scale * this.viewer.pixels(ray.side, hit.distance)};
+  }
+
+  /** Fingers are broad: they meet what is around them, too. */
+  #near({offsetX: x, offsetY: y, pointerType}) {
+    const reached = pointerType === 'touch' ? [0, 1, 2, 3, 4, 5].map(k => k * Math.PI / 3) : [];
+    return [[x, y], ...reached.map(a => [x + breadth * Math.cos(a), y + breadth * Math.sin(a)])]
+        .reduce((found, place) => found ?? this.#hit(...place), null);
   }
 
   #paints() { return ['bulge', 'dent', 'erase'].includes(this.tool().tool); }
 
   #radius() { return .3 * this.tool().size; }
 
-  #ring(point) {
-    this.viewer.uniforms.brush.value.set(...(point ?? [0, 0, 0]), point ? this.#radius() : 0);
-    this.viewer.redraw();
+  /** A circle around the pointer, whole beyond silhouettes, and what it covers on the other side. */
+  #ring(hit, {offsetX, offsetY}) {
+    const {viewer, circle} = this;
+    viewer.ring = {side: hit?.side ?? -1, radius: hit ? this.#radius() : 0};
+    viewer.uniforms.brush.value.set(...(hit?.point ?? [0, 0, 0]), 0);
+    circle.hidden = !hit;
+    if (hit) {
+      const size = `${2 * this.#radius() * hit.pixels}px`;
+      Object.assign(circle.style, {left: `${offsetX}px`, top: `${offsetY}px`, width: size, height: size});
+    }
+    viewer.redraw();
   }
 
   #begin(event) {
@@ -86,19 +116,19 @@ class Strokes {
   #move(event) {
     if (this.#stroke?.event.pointerId !== event.pointerId) {
       const isFree = event.buttons === 0 && event.pointerType !== 'touch' && this.#paints();
-      this.#ring(isFree ? this.#point(event.offsetX, event.offsetY) : null);
+      this.#ring(isFree ? this.#hit(event.offsetX, event.offsetY) : null, event);
       return;
     }
     const {offsetX: x, offsetY: y} = this.#stroke.event;
     const right = event.offsetX - x, down = event.offsetY - y;
     const parts = Math.min(Math.max(Math.ceil(Math.hypot(right, down) / 10), 1), 12);
-    let point = null;
+    let hit = null;
     for (let i = 1; i <= parts; ++i) {
-      point = this.#point(x + right * i / parts, y + down * i / parts);
-      if (point) this.#dab(point);
+      hit = this.#hit(x + right * i / parts, y + down * i / parts);
+      if (hit) this.#dab(hit.point);
     }
     this.#stroke.event = event;
-    this.#ring(point);
+    this.#ring(hit, event);
     this.#paint();
   }
 

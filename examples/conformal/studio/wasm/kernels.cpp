@@ -2,6 +2,8 @@
 // What the page calls: plain functions over arrays in the memory of the module.
 #include "conformal/studio/Studio_surface.h"
 
+#include <Conformal_geometry_processing/spin/Scale_control.h>
+
 #include <exception>
 #include <functional>
 #include <memory>
@@ -52,6 +54,11 @@ bool edit(const std::function<void()>& work)
 }
 
 }  // namespace
+
+STUDIO_EXPORT double studio_default_bound()
+{
+  return CGP::internal::default_scale_bound;
+}
 
 STUDIO_EXPORT bool studio_open(const double* positions, int vertices, const int* corners, int faces)
 {
