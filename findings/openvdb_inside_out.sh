@@ -5,8 +5,8 @@
 # Expected: a closed surface goes through a level set of OpenVDB and comes back with its faces outwards.
 # Seen: they come back inwards, whichever way they looked before; those of a level set made by OpenVDB
 # itself do so, too. Volumes have the other sign, quadrilaterals and triangles alike.
-# Met: surfaces from volumes: mean curvature, rho and its effect change sign, so what ought to grow out
-# grows in.
+# Met: surfaces from volumes: mean curvature changes its sign, and what ought to grow out grows in, unless
+# a program turns them, as this one does.
 set -euo pipefail
 
 work=$(mktemp -d)
