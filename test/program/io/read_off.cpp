@@ -132,7 +132,6 @@ TEST(Read_off, refuses_bad_faces_with_their_line)
   EXPECT_EQ(refusal(with("3 0 1 1")),
             "a.off:6: a face has the vertex 1 twice, wanted different corners; try: --repair");
   EXPECT_EQ(refusal(with("3 0 1 2.0")), "a.off:6: '2.0' is not an integer, wanted a vertex index");
-  EXPECT_EQ(refusal(with("3 0 1 2 red")), "a.off:6: 'red' is not a number, wanted a colour");
   EXPECT_EQ(refusal("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1  \n"),
             "a.off:7: the file ends, wanted a vertex index");
 }
@@ -155,16 +154,35 @@ TEST(Read_off, refuses_a_large_face_with_a_repeated_corner)
             "a.off:23: a face has the vertex 4 twice, wanted different corners; try: --repair");
 }
 
-TEST(Read_off, refuses_vertices_with_too_few_or_different_numbers)
+// Notes of a triangle in `keyword` format whose rows end in these words. It has to be there.
+std::vector<std::string> notes_of(const std::string& keyword, const std::vector<std::string>& ends)
 {
-  EXPECT_EQ(refusal("COFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"),
-            "a.off:3: a vertex with 0 numbers after its coordinates, wanted a colour of 3 or 4 on "
-            "all or none");
-  EXPECT_EQ(refusal("OFF\n3 1 0\n0 0 0 1 2 3\n1 0 0\n0 1 0\n3 0 1 2\n"),
-            "a.off:4: a vertex with 0 numbers after its coordinates, wanted a colour of 3 or 4 on "
-            "all or none");
-  EXPECT_EQ(refusal("STOFF\n3 1 0\n0 0 0 1\n1 0 0 1\n0 1 0 0\n3 0 1 2\n"),
-            "a.off:3: a vertex without texture coordinates, wanted two numbers");
+  const Surface_file file = parse_off(keyword + "\n3 1 0\n0 0 0" + ends[0] + "\n1 0 0" + ends[1] +
+                                          "\n0 1 0" + ends[2] + "\n3 0 1 2" + ends[3] + "\n",
+                                      "a.off");
+  EXPECT_EQ(file.points[1], (Point{1, 0, 0}));
+  EXPECT_EQ(corners(file, 0), (std::vector<int>{0, 1, 2}));
+  EXPECT_TRUE(file.vertices.properties.empty());
+  return file.notes;
+}
+
+TEST(Read_off, leaves_out_attributes_that_not_all_vertices_have_or_that_are_none)
+{
+  const auto left_out = [](const std::string& what) {
+    return std::vector<std::string>{"left out: " + what + ')'};
+  };
+  const std::string colors = "colours, which not all vertices have (";
+  EXPECT_EQ(notes_of("COFF", {"", "", "", ""}), left_out(colors + "3, first: line 3"));
+  EXPECT_EQ(notes_of("OFF", {" 1 2 3", "", " 1 2 3", ""}), left_out(colors + "1, first: line 4"));
+  EXPECT_EQ(notes_of("OFF", {" 1 2 3", " 1 2 3 4", " 1 2 3 4", ""}),
+            left_out(colors + "2, first: line 4"));
+  const std::string none = "values of vertices that are no colours (";
+  EXPECT_EQ(notes_of("OFF", {" 1", " 1 2", " 1 2 3 4 5", ""}), left_out(none + "3, first: line 3"));
+  EXPECT_EQ(notes_of("OFF", {"", "", " 1 red 2", ""}), left_out(none + "1, first: line 5"));
+  EXPECT_EQ(notes_of("STOFF", {" 1 0", " 1", " 1 1", ""}),
+            left_out("texture coordinates, which not all vertices have (1, first: line 4"));
+  EXPECT_EQ(notes_of("OFF", {"", "", "", " red"}),
+            left_out("values of faces that are no colours (1, first: line 6"));
 }
 
 }  // namespace cgp_test::read_off_tests

@@ -51,7 +51,8 @@ void note_losses(const Surface_file& file, const Written& written, std::vector<s
        written.normals == Detail::none ? "normals of corners are"
                                        : "normals that differ at the corners of a vertex are");
   lose(!file.group_lines.empty() && !written.has_groups, "groups and materials are");
-  lose(has_polygons(file.polygons) && !written.has_polygons, "polygons, but their triangles, are");
+  if (has_polygons(file.polygons) && !written.has_polygons)
+    notes.push_back(std::string("polygons are written to ") + written.format + " as triangles");
   lose(!file.comments.empty() && !written.has_comments, "comments are");
   lose(!file.object_info.empty() && !written.has_object_info, "lines obj_info are");
   for (const Element& element : file.other_elements)

@@ -1,6 +1,7 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include "read_off.h"
 
+#include "conformal/io/data/Left_out.h"
 #include "conformal/io/file/Text_scanner.h"
 #include "conformal/io/file/checked_bytes.h"
 #include "conformal/io/file/io_errors.h"
@@ -20,6 +21,13 @@ struct Extra_numbers {
   std::vector<bool> is_integer;  // by its spelling: 1 is not 1.0
 
   std::size_t count(std::size_t row) const { return first[row + 1] - first[row]; }
+
+  void shorten_last(std::size_t count)
+  {
+    first.back() = first[first.size() - 2] + count;
+    values.resize(first.back());
+    is_integer.resize(first.back());
+  }
 
   bool all_counts_are(std::size_t n) const
   {
@@ -53,6 +61,7 @@ class Off_reader {
     read_vertices();
     read_faces();
     keep_comments(bytes);
+    m_file.notes = m_left_out.notes();
     note_what_follows();
   }
 
@@ -80,6 +89,7 @@ class Off_reader {
     }
   }
 
+  static constexpr const char* no_colors = "values of vertices that are no colours";
   static constexpr int comments = Text_scanner::hash_comments | Text_scanner::hash_ends_words;
 
   void read_header(std::string_view bytes, const std::string& path)
@@ -117,16 +127,26 @@ class Off_reader {
     m_file.faces.size = static_cast<std::size_t>(faces);
   }
 
-  void read_extra(Extra_numbers& extra)
+  void leave_out(std::string_view what)
   {
+    m_left_out.add(what, "line " + std::to_string(m_scanner.line()));
+  }
+
+  // A row with a word that is no number counts as empty.
+  void read_extra(Extra_numbers& extra, const char* what_is_no_color)
+  {
+    bool all_are_numbers = true;
     while (!m_scanner.at_end_of_line()) {
       const std::string_view word = m_scanner.word("");
       const auto value = parse_double(word);
-      if (!value) m_scanner.fail(in_quotes(word) + " is not a number, wanted a colour");
-      extra.values.push_back(*value);
+      all_are_numbers = all_are_numbers && value;
+      extra.values.push_back(value.value_or(0));
       extra.is_integer.push_back(parse_integer(word).has_value());
     }
     extra.first.push_back(extra.values.size());
+    if (all_are_numbers) return;
+    leave_out(what_is_no_color);
+    extra.shorten_last(0);
   }
 
   void read_vertices()
@@ -138,14 +158,14 @@ class Off_reader {
       for (double& x : point) x = m_scanner.coordinate("a coordinate");
       m_file.points.push_back(point);
       for (int i = 0; m_has_normals && i < 3; ++i) normals.push_back(m_scanner.number("a normal"));
-      read_extra(extra);
+      read_extra(extra, no_colors);
       take_texture(extra, texture);
-      check_vertex_extra(extra, v);
+      take_colors(extra, v);
     }
     if (m_has_normals)
       set_properties(m_file.vertices, {"nx", "ny", "nz"}, Value_type::float64, normals);
     store_colors(m_file.vertices, extra);
-    if (m_has_texture)
+    if (m_has_texture && texture.size() == 2 * m_file.vertices.size)
       set_properties(m_file.vertices, {"texture_u", "texture_v"}, Value_type::float64, texture);
   }
 
@@ -153,22 +173,23 @@ class Off_reader {
   void take_texture(Extra_numbers& extra, std::vector<double>& texture)
   {
     if (!m_has_texture) return;
-    if (extra.count(extra.first.size() - 2) < 2)
-      m_scanner.fail("a vertex without texture coordinates, wanted two numbers");
+    const std::size_t count = extra.count(extra.first.size() - 2);
+    if (count < 2) leave_out("texture coordinates, which not all vertices have");
+    if (count < 2) return extra.shorten_last(0);
     texture.insert(texture.end(), extra.values.end() - 2, extra.values.end());
-    extra.values.resize(extra.values.size() - 2);
-    extra.is_integer.resize(extra.values.size());
-    extra.first.back() -= 2;
+    extra.shorten_last(count - 2);
   }
 
   // Colours are common after a plain OFF header, too.
-  void check_vertex_extra(const Extra_numbers& extra, std::size_t v) const
+  void take_colors(Extra_numbers& extra, std::size_t v)
   {
     const std::size_t count = extra.count(v);
-    const bool is_color = count == 3 || count == 4;
-    if ((!is_color && (count != 0 || m_has_colors)) || count != extra.count(0))
-      m_scanner.fail("a vertex with " + std::to_string(count) +
-                     " numbers after its coordinates, wanted a colour of 3 or 4 on all or none");
+    if (count != 0 && count != 3 && count != 4) {
+      leave_out(no_colors);
+      extra.shorten_last(0);
+    } else if (count != extra.count(0) || (count == 0 && m_has_colors)) {
+      leave_out("colours, which not all vertices have");
+    }
   }
 
   void read_faces()
@@ -187,7 +208,7 @@ class Off_reader {
           fault_of_face(data, data + degree, m_file.points.size(), 0, m_bad_faces);
       if (!fault.empty()) m_scanner.fail_at(line, fault);
       append_face(m_file.polygons, data, data + degree);
-      read_extra(extra);
+      read_extra(extra, "values of faces that are no colours");
     }
     if (!store_colors(m_file.faces, extra)) store_list(extra);
   }
@@ -217,6 +238,7 @@ class Off_reader {
   Surface_file m_file;
   Text_scanner m_scanner;
   Bad_faces m_bad_faces;
+  Left_out m_left_out;
   bool m_has_texture = false, m_has_normals = false, m_has_colors = false;
 };
 

@@ -13,7 +13,8 @@ namespace conformal {
 /// Normals become the vertex properties `nx ny nz`, texture coordinates `texture_u texture_v`,
 /// colours `red green blue [alpha]` (of type uchar if all are integers of 0..255, else double).
 /// Colours of faces that are not three or four numbers on every face are kept as the list property
-/// `color`. O(bytes). \throws Read_error
+/// `color`. Other numbers after a vertex, and words that are none, are left out with a note.
+/// O(bytes). \throws Read_error
 Surface_file read_off(const std::string& path);
 
 /// the same from memory; `path` is for messages
