@@ -44,13 +44,13 @@ class Distributed_matrix {
   Mat get() const { return m_matrix.get(); }
 
   /// \brief sets the rows of the own vertices, which are complete in the part.
-  /// \param entry of i, j and the value there
+  /// \param entry of i, j and the value there, where i is an own vertex
   template <class Matrix, class Entry>
   void set(const Matrix& A, const Entry& entry)
   {
     A.for_each_entry([&](int i, int j, const auto& a) {
-      put(i, j, entry(i, j, a));
-      if (i != j) put(j, i, entry(j, i, conjugate(a)));
+      if (i < m_mesh.own_vertices()) put(i, j, entry(i, j, a));
+      if (i != j && j < m_mesh.own_vertices()) put(j, i, entry(j, i, conjugate(a)));
     });
     check_petsc(MatAssemblyBegin(get(), MAT_FINAL_ASSEMBLY));
     check_petsc(MatAssemblyEnd(get(), MAT_FINAL_ASSEMBLY));
@@ -73,7 +73,6 @@ class Distributed_matrix {
 
   void put(int i, int j, const Scalar& a)
   {
-    if (i >= m_mesh.own_vertices()) return;
     const PetscInt row = m_mesh.number(i), column = m_mesh.number(j);
     const auto block = Embedding::block(a);
     std::array<PetscScalar, width * width> values;  // row-major

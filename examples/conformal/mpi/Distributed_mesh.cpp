@@ -212,6 +212,19 @@ Eigen::MatrixXd Distributed_mesh::in_order_of_file(const Eigen::MatrixXd& own) c
   return ordered;
 }
 
+Eigen::MatrixXd Distributed_mesh::from_order_of_file(const Eigen::MatrixXd& ordered) const
+{
+  const Ranges in_file = Ranges::equal(m_ranges.total());
+  Eigen::MatrixXd own(ordered.rows(), own_vertices());
+  for (Eigen::Index r = 0; r < own.rows(); ++r) {
+    const Eigen::VectorXd row = ordered.row(r);
+    const std::vector<double> values = look_up(
+        m_number_in_file, in_file, std::vector<double>(row.data(), row.data() + row.size()));
+    own.row(r) = Eigen::Map<const Eigen::RowVectorXd>(values.data(), own.cols());
+  }
+  return own;
+}
+
 // All faces around an own vertex are in the part.
 void Distributed_mesh::require_closed_stars() const
 {

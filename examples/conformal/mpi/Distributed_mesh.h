@@ -52,6 +52,9 @@ class Distributed_mesh {
   /// the vertices in the order of the file. Collective.
   Eigen::MatrixXd in_order_of_file(const Eigen::MatrixXd& own) const;
 
+  /// the inverse of `in_order_of_file()`
+  Eigen::MatrixXd from_order_of_file(const Eigen::MatrixXd& ordered) const;
+
   int handles() const { return m_handles; }
 
  private:

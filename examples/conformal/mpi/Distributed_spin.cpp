@@ -4,6 +4,7 @@
 #include "Distributed_matrix.h"
 #include "certify_distributed.h"
 
+#include <Conformal_geometry_processing/measure/Realised_curvature.h>
 #include <Conformal_geometry_processing/operators/cotan_laplacian.h>
 #include <Conformal_geometry_processing/operators/dirac_energy.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
@@ -25,6 +26,7 @@ using CGP::Curvature_potential;
 using CGP::Quaternion;
 using CGP::Quaternion_vector;
 using Go_further = std::function<bool(const CGP::Eigensolver_progress&)>;
+using Save = std::function<void(const Branch_state&)>;
 
 /// the faces that a process counts, as a surface: sums over them are sums over the whole
 struct Counted_faces {
@@ -46,45 +48,51 @@ std::vector<std::vector<int>> boundary_loops(const Counted_faces&)
 /// t = 1. Each stage goes as far as the vector stays near to that before it.
 class Eigenvector {
  public:
-  Eigenvector(const Distributed_mesh& mesh, const Eigen::VectorXd& rho, Eigen::VectorXd areas)
-      : m_mesh(mesh),
+  Eigenvector(const Distributed_mesh& mesh, const Eigen::VectorXd& rho, Eigen::VectorXd areas,
+              const Branch_state& start)
+      : gamma(start.gamma),
+        m_mesh(mesh),
         m_rho(rho),
         m_areas(std::move(areas)),
         m_matrix(mesh),
         m_own(mesh.own_vertices()),
-        m_area(sum(m_areas.head(m_own).sum()))
+        m_area(sum(m_areas.head(m_own).sum())),
+        m_t(start.t),
+        m_step(start.step)
   {
     lambda = Quaternion_vector<double>::Constant(mesh.mesh().size_of_vertices(), {1, 0, 0, 0});
+    if (start.spins.cols() > 0) set(start.spins);
   }
 
-  void solve(const CGP::Dirac_options& options, const Go_further& go_further,
+  void solve(const CGP::Dirac_options& options, const Save& save, const Go_further& go_further,
              CGP::Spin_report& report)
   {
     const double rough = 1e-3, same_vector = .85, least_step = 1. / 64;
-    for (double step = 1; m_t < 1;) {
+    while (m_t < 1) {
       const auto before = std::pair(lambda, gamma);
       const double start = m_t, slope = quotient_slope();
-      m_t = (std::min)(1., m_t + step);
+      m_t = (std::min)(1., m_t + m_step);
       gamma += (m_t - start) * slope;
       m_grids.reset();
-      refine((std::max)(rough, options.tolerance), options, go_further, report);
+      refine((std::max)(rough, options.tolerance), options, {}, go_further, report);
       if (report.cancelled || report.iterations >= options.max_iterations) return;
-      if (overlap_with(before.first) < same_vector && step > least_step) {
+      if (overlap_with(before.first) < same_vector && m_step > least_step) {
         std::tie(lambda, gamma) = before;
         m_t = start;
-        step /= 2;
+        m_step /= 2;
       } else {
         report.substeps += m_t < 1 ? 1 : 0;
+        save(state());
       }
     }
-    refine(options.tolerance, options, go_further, report);
+    refine(options.tolerance, options, save, go_further, report);
   }
 
   /// 4 pi / area
   double unit() const { return 4 * std::acos(-1.) / m_area; }
 
   Quaternion_vector<double> lambda;  // of the mesh of the part
-  double gamma = 0;
+  double gamma;
 
   /// |(D - rho - gamma) lambda| / |lambda|
   double misfit() const
@@ -130,8 +138,8 @@ class Eigenvector {
   Eigen::VectorXd shifted() const { return m_t * m_rho.array() + gamma; }
 
   /// makes shift and vector stationary together
-  void refine(double tolerance, const CGP::Dirac_options& options, const Go_further& go_further,
-              CGP::Spin_report& report)
+  void refine(double tolerance, const CGP::Dirac_options& options, const Save& save,
+              const Go_further& go_further, CGP::Spin_report& report)
   {
     const int max_passes = 12;
     for (int pass = 0; pass < max_passes; ++pass) {
@@ -141,6 +149,7 @@ class Eigenvector {
       gamma += change;
       report.converged =
           report.residual <= tolerance && std::abs(change) <= tolerance * std::sqrt(unit());
+      if (save) save(state());
       if (report.converged || report.cancelled || report.iterations >= options.max_iterations)
         return;
     }
@@ -229,22 +238,34 @@ class Eigenvector {
     slepc.run(initial());
     const Petsc_vec v = m_matrix.make_vector();
     slepc.vector(0, v.get());
-    Eigen::MatrixXd parts(4, lambda.size());
+    Eigen::MatrixXd own_parts(4, m_own);
     with_values(v.get(), [&](const PetscScalar* values) {
       for (int i = 0; i < m_own; ++i, values += 2) {
         const auto q = CGP::internal::Complex_embedding<Quaternion<double>>::from_entries(values);
-        parts.col(i) = Eigen::Vector4d(q.w, q.x, q.y, q.z) / root(i);
+        own_parts.col(i) = Eigen::Vector4d(q.w, q.x, q.y, q.z) / root(i);
       }
     });
-    m_mesh.update(parts);
-    for (Eigen::Index i = 0; i < lambda.size(); ++i)
-      lambda[i] = {parts(0, i), parts(1, i), parts(2, i), parts(3, i)};
+    set(own_parts);
     normalize();
     report.residual = slepc.estimate();
     report.iterations += slepc.iterations();
     report.solves += 2 * slepc.iterations();
     report.cancelled = slepc.is_cancelled();
     report.seconds.eigenvectors += watch.lap();
+  }
+
+  Branch_state state() const
+  {
+    return {m_t, m_step, gamma, CGP::components(lambda).leftCols(m_own)};
+  }
+
+  /// takes the spins of the own vertices, 4 x their number, and those of others from their owners
+  void set(const Eigen::MatrixXd& own)
+  {
+    Eigen::MatrixXd parts(4, lambda.size());
+    parts.leftCols(m_own) = own;
+    m_mesh.update(parts);
+    CGP::components(lambda) = parts;
   }
 
   /// the eigenvalue less gamma
@@ -273,8 +294,37 @@ class Eigenvector {
   Distributed_matrix<Quaternion<double>> m_matrix;
   std::optional<CGP::internal::Petsc_multigrid> m_grids;
   int m_own;
-  double m_area, m_t = 0;
+  double m_area, m_t, m_step;
 };
+
+/// \brief (L + masses)^-1 b of the own vertices, for up to two columns b.
+Eigen::MatrixXd laplacian_solution(const Distributed_mesh& mesh, const Eigen::VectorXd& masses,
+                                   const Eigen::MatrixXd& b)
+{
+  const auto L = CGP::cotan_laplacian(mesh.mesh());
+  Distributed_matrix<double> matrix(mesh);
+  matrix.set(L, [&](int i, int j, double a) { return a + (i == j ? masses[i] : 0); });
+  const CGP::internal::Petsc_multigrid solver(matrix.get(), matrix.get(), 1);
+  const Petsc_vec right = matrix.make_vector(), x = matrix.make_vector();
+  Eigen::MatrixXd solution(b.rows(), b.cols());
+  for (Eigen::Index c = 0; c < b.cols(); c += 2) {  // two columns as a complex one
+    const bool is_pair = c + 1 < b.cols();
+    with_values(right.get(), [&](PetscScalar* values) {
+      for (Eigen::Index v = 0; v < b.rows(); ++v)
+        values[v] = PetscScalar(b(v, c), is_pair ? b(v, c + 1) : 0);
+    });
+    const CGP::Solver_status status = solver.solve(right.get(), x.get());
+    if (status != CGP::Solver_status::success)
+      throw CGP::Solver_error("transform", std::string("the Laplacian: ") + to_string(status));
+    with_values(x.get(), [&](const PetscScalar* values) {
+      for (Eigen::Index v = 0; v < b.rows(); ++v) {
+        solution(v, c) = values[v].real();
+        if (is_pair) solution(v, c + 1) = values[v].imag();
+      }
+    });
+  }
+  return solution;
+}
 
 /// the positions whose edges are nearest to given ones [CGP (5.5)], of the mesh of the part
 CGP::Points integrated(const Distributed_mesh& mesh, const Eigen::VectorXd& areas,
@@ -283,39 +333,32 @@ CGP::Points integrated(const Distributed_mesh& mesh, const Eigen::VectorXd& area
   const double shift = 1e-10;  // L is singular, and right-hand sides have no constant part
   const int own = mesh.own_vertices();
   const double area = sum(areas.head(own).sum());
-  const auto L = CGP::cotan_laplacian(mesh.mesh());
-  Distributed_matrix<double> matrix(mesh);
-  matrix.set(L, [&](int i, int j, double a) { return a + (i == j ? shift * areas[i] / area : 0); });
-  const CGP::internal::Petsc_multigrid solver(matrix.get(), matrix.get(), 1);
   const Eigen::MatrixX3d b = CGP::codifferential(mesh.mesh(), weights, edges);
   Eigen::MatrixXd f(3, mesh.mesh().size_of_vertices());
-  const Petsc_vec right = matrix.make_vector(), x = matrix.make_vector();
-  for (int pair = 0; pair < 2; ++pair) {  // x and y as one complex vector, and z
-    with_values(right.get(), [&](PetscScalar* values) {
-      for (int v = 0; v < own; ++v)
-        values[v] = pair == 0 ? PetscScalar(b(v, 0), b(v, 1)) : PetscScalar(b(v, 2), 0);
-    });
-    const CGP::Solver_status status = solver.solve(right.get(), x.get());
-    if (status != CGP::Solver_status::success)
-      throw CGP::Solver_error("transform", std::string("the Laplacian: ") + to_string(status));
-    with_values(x.get(), [&](const PetscScalar* values) {
-      for (int v = 0; v < own; ++v) {
-        if (pair == 0)
-          f(0, v) = values[v].real(), f(1, v) = values[v].imag();
-        else
-          f(2, v) = values[v].real();
-      }
-    });
-  }
+  f.leftCols(own) = laplacian_solution(mesh, shift / area * areas, b.topRows(own)).transpose();
   mesh.update(f);
   return f;
+}
+
+std::optional<CGP::Realised_curvature> realised_curvature(const Distributed_mesh& mesh,
+                                                          const CGP::Points& f,
+                                                          const Eigen::VectorXd& rho)
+{
+  const CGP::internal::Surface_part part{
+      mesh.own_vertices(), [](const Eigen::VectorXd& sums) { return sum_of(sums); },
+      [](double value) { return largest(value); },
+      [&](const CGP::Block<double>& b, const Eigen::VectorXd& masses) -> CGP::Block<double> {
+        return laplacian_solution(mesh, masses, b);
+      }};
+  return CGP::internal::realised_curvature(mesh.mesh(), f, rho, false, mesh.mesh(), part);
 }
 
 }  // namespace
 
 Distributed_result transform(const Distributed_mesh& mesh, const Eigen::VectorXd& rho,
                              const CGP::Dirac_options& options,
-                             const CGP::Spin_report::Limits& limits, const Go_further& go_further)
+                             const CGP::Spin_report::Limits& limits, const Branch_state& start,
+                             const Save& save, const Go_further& go_further)
 {
   const CGP::internal::Quiet_petsc quiet;
   Distributed_result result;
@@ -325,8 +368,8 @@ Distributed_result transform(const Distributed_mesh& mesh, const Eigen::VectorXd
   mesh.update(areas);
   Quaternion_vector<double> lambda;
   {  // the multigrid of X is not needed any more for positions
-    Eigenvector eigenvector(mesh, rho, areas.transpose());
-    eigenvector.solve(options, go_further, report);
+    Eigenvector eigenvector(mesh, rho, areas.transpose(), start);
+    eigenvector.solve(options, save, go_further, report);
     report.eigenvalue = eigenvector.gamma;
     report.dirac_residual = eigenvector.misfit();
     report.overlap = eigenvector.overlap_with(
@@ -342,6 +385,7 @@ Distributed_result transform(const Distributed_mesh& mesh, const Eigen::VectorXd
   report.closure_residual = closure_residual(mesh, weights, f, edges);
   restore_area(mesh, f, lambda);
   result.quality = certify(mesh, f, lambda, report);
+  if (report.converged) report.realised_curvature = realised_curvature(mesh, f, rho);
   result.positions = f.leftCols(mesh.own_vertices());
   report.seconds.certificate += watch.lap();
   return result;

@@ -1,6 +1,7 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include "spin_in_parts.h"
 
+#include "Checkpoint.h"
 #include "Distributed_spin.h"
 #include "collective.h"
 
@@ -38,22 +39,32 @@ const char* const spin_about =
     "diagonal\n"
     "2), positive rho bulges outward, constants have no effect.\n"
     "PETSC_OPTIONS has options for the solvers, as -conformal_eps_monitor.\n"
+    "Every five minutes the state of the work is kept in OUTPUT.checkpoint, from which --resume "
+    "goes\n"
+    "on, on any number of processes; it goes when the output is written.\n"
     "A result that does not verify is not written, and the exit code is 1.\n"
     "Example: mpirun -n 2 conformal-mpi spin bear.ply --rho-expression 'sin(5*y)' -o out.ply";
 
 struct Options {
   std::string input, expression;
-  double amplitude = 1;
-  bool force = false;
+  double amplitude = 1, checkpoint = 300;
+  int iterations = 1000;  // a cycle of grids each, not a solve with a factor
+  bool force = false, resume = false;
   Verification_limits limits;
 };
 
 /// what every process has to know
 struct Job {
   std::string input, output, expression;
-  double amplitude = 1, tolerance = 0;
+  double amplitude = 1, tolerance = 0, checkpoint = 0;
+  int iterations = 0;
+  bool resume = false;
 
-  NLOHMANN_DEFINE_TYPE_INTRUSIVE(Job, input, output, expression, amplitude, tolerance)
+  NLOHMANN_DEFINE_TYPE_INTRUSIVE(Job, input, output, expression, amplitude, tolerance, checkpoint,
+                                 iterations, resume)
+
+  /// what a checkpoint depends on
+  std::string problem() const { return nlohmann::json{input, expression, amplitude}.dump(); }
 };
 
 /// what the first process tells of the result
@@ -141,8 +152,12 @@ void do_job(const Job& job, const Go_further& go_further, const Approve& approve
   const Eigen::VectorXd rho = rho_of(job, mesh, frame);
   CGP::Dirac_options dirac;
   dirac.tolerance = job.tolerance;
-  dirac.max_iterations = 1000;  // a cycle of grids each, not a solve with a factor
-  const Distributed_result result = transform(mesh, rho / frame.unit, dirac, {}, go_further);
+  dirac.max_iterations = job.iterations;
+  Checkpoint checkpoint(job.output + ".checkpoint", job.problem(), job.checkpoint);
+  const Branch_state start = job.resume ? checkpoint.read(mesh) : Branch_state();
+  const auto save = [&](const Branch_state& state) { checkpoint.save(mesh, state); };
+  const Distributed_result result =
+      transform(mesh, rho / frame.unit, dirac, {}, start, save, go_further);
   const Told told{result.report,
                   file->vertices(),
                   file->faces(),
@@ -151,7 +166,9 @@ void do_job(const Job& job, const Go_further& go_further, const Approve& approve
                   of_each(mesh.own_vertices()),
                   of_each(mesh.mesh().size_of_vertices() - mesh.own_vertices()),
                   file->left_out()};
-  if (broadcast(rank() == 0 && approve(told))) write(job, *file, mesh, result, rho);
+  if (!broadcast(rank() == 0 && approve(told))) return;
+  write(job, *file, mesh, result, rho);
+  checkpoint.remove();
 }
 
 void tell(const Told& told, Session& session)
@@ -184,6 +201,15 @@ void add_options(CLI::App& command, Options& options, Common_options& common)
       .add_option("--tolerance", common.tolerance, "of the eigenvector")
       ->check(between_zero_and_one)
       ->capture_default_str();
+  advanced(command)
+      .add_option("--iterations", options.iterations, "at most so many of the eigensolver")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  advanced(command)
+      .add_option("--checkpoint", options.checkpoint, "seconds between two checkpoints")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  command.add_flag("--resume", options.resume, "go on from OUTPUT.checkpoint");
   add_limits(command, options.limits, options.force);
 }
 
@@ -195,8 +221,8 @@ Files files(const Options& options)
 void run(const Options& options, Session& session)
 {
   const Common_options& common = session.options();
-  const Job job{options.input, common.output, options.expression, options.amplitude,
-                common.tolerance};
+  const Job job{options.input,    common.output,      options.expression, options.amplitude,
+                common.tolerance, options.checkpoint, options.iterations, options.resume};
   session.set_input(options.input);
   broadcast(nlohmann::json(job).dump());
   Verdict verdict;

@@ -61,11 +61,13 @@ Eigen::VectorXd values_at_vertices(const Mesh_view& mesh, const Curvature_potent
 }
 
 /// the areas of the vertices that are judged, zero for the others
-Eigen::VectorXd judged_areas(const Surface_ref& surface, const Eigen::VectorXd& before,
-                             const Eigen::VectorXd& after)
+Eigen::VectorXd judged_areas(const Surface_ref& surface, const Surface_part& part,
+                             const Eigen::VectorXd& before, const Eigen::VectorXd& after)
 {
-  const double least = 1e-9 * before.mean();  // rounding dominates what is smaller
-  const double least_ratio = 1e-8 * after.sum() / before.sum();
+  const Eigen::Vector3d sums = part.sum(Eigen::Vector3d(
+      before.head(part.own).sum(), after.head(part.own).sum(), static_cast<double>(part.own)));
+  const double least = 1e-9 * sums[0] / sums[2];  // rounding dominates what is smaller
+  const double least_ratio = 1e-8 * sums[1] / sums[0];
   const std::vector<char> is_at_rim = boundary_vertices(surface);
   Eigen::VectorXd areas = before;
   for (Eigen::Index v = 0; v < areas.size(); ++v)
@@ -75,26 +77,29 @@ Eigen::VectorXd judged_areas(const Surface_ref& surface, const Eigen::VectorXd& 
   return areas;
 }
 
-/// the numbers of two smoothed functions
+/// the numbers of two smoothed functions on the own vertices
 Realised_curvature compared(const Eigen::VectorXd& realised, const Eigen::VectorXd& asked,
-                            const Eigen::VectorXd& areas)
+                            const Eigen::VectorXd& areas, const Surface_part& part)
 {
-  const auto norm = [&](const Eigen::VectorXd& v) { return std::sqrt(areas.dot(v.cwiseAbs2())); };
-  const double wanted = norm(asked), found = norm(realised);
-  const double common = areas.dot(realised.cwiseProduct(asked));
-  Realised_curvature result;
-  result.share = found / wanted;
-  result.correlation = found > 0 ? common / (found * wanted) : 0;
-  result.distance = norm(realised - asked) / wanted;
-  double largest = 0, large = 0, wrong = 0;
-  for (Eigen::Index v = 0; v < areas.size(); ++v)
-    if (areas[v] > 0) largest = (std::max)(largest, std::abs(asked[v]));
+  const auto square = [&](const Eigen::VectorXd& v) { return areas.dot(v.cwiseAbs2()); };
+  const Eigen::VectorXd judged = (areas.array() > 0).select(asked, 0.);
+  const double largest = part.largest(judged.cwiseAbs().maxCoeff());
+  double large = 0, wrong = 0;
   for (Eigen::Index v = 0; v < areas.size(); ++v) {
     if (std::abs(asked[v]) <= largest / 4) continue;
     large += areas[v];
     if (!(realised[v] * asked[v] > 0)) wrong += areas[v];
   }
-  result.wrong_sign = wrong / large;
+  Eigen::VectorXd sums(6);
+  sums << square(asked), square(realised), square(realised - asked),
+      areas.dot(realised.cwiseProduct(asked)), wrong, large;
+  sums = part.sum(sums);
+  const double wanted = std::sqrt(sums[0]), found = std::sqrt(sums[1]);
+  Realised_curvature result;
+  result.share = found / wanted;
+  result.correlation = found > 0 ? sums[3] / (found * wanted) : 0;
+  result.distance = std::sqrt(sums[2]) / wanted;
+  result.wrong_sign = sums[4] / sums[5];
   return result;
 }
 
@@ -105,6 +110,59 @@ void check_smoothing(const char* step, Solver_status status)
                        std::string(step) + " of the smoothing matrix failed: " + to_string(status));
 }
 
+/// the integrals of the realised change and of rho around each vertex, |V| x 2
+Block<double> integrals(const Vertex_integrals& before, const Vertex_integrals& after,
+                        const Eigen::VectorXd& areas, const Eigen::VectorXd& rho)
+{
+  Block<double> b(areas.size(), 2);
+  for (Eigen::Index v = 0; v < areas.size(); ++v) {
+    const bool is_judged = areas[v] > 0;
+    const double spread = is_judged ? std::sqrt(before.areas[v] / after.areas[v]) : 0;
+    b(v, 0) = is_judged ? after.curvatures[v] * spread - before.curvatures[v] : 0;
+    b(v, 1) = areas[v] * rho[v];
+  }
+  return b;
+}
+
+std::optional<Realised_curvature> realised_curvature(const Mesh_view& mesh, const Points& positions,
+                                                     const Eigen::VectorXd& rho,
+                                                     bool constants_have_effect,
+                                                     const Surface_ref& surface,
+                                                     const Surface_part& part)
+{
+  const Vertex_integrals before(mesh, mesh.positions()), after(mesh, positions);
+  const Eigen::VectorXd areas =
+      judged_areas(surface, part, before.areas, after.areas).head(part.own);
+  Block<double> b = integrals(before, after, areas, rho);
+  Eigen::VectorXd sums(6);
+  sums << areas.sum(), b.col(0).sum(), b.col(1).sum(), b.col(1).cwiseAbs().sum(),
+      before.areas.head(part.own).sum(), static_cast<double>(part.own);
+  sums = part.sum(sums);
+  const double area = sums[0], whole = sums[4];
+  if (!(area > 0)) return std::nullopt;
+  if (!constants_have_effect)
+    for (int k = 0; k < 2; ++k) b.col(k) -= sums[1 + k] / area * areas;
+  const double rounding = 1e-10;
+  const Eigen::VectorXd size = part.sum(Eigen::VectorXd::Constant(1, b.col(1).cwiseAbs().sum()));
+  if (!(size[0] > rounding * sums[3])) return std::nullopt;
+
+  const double l = Realised_curvature::smoothing_length;
+  const double l_squared = l * l * whole / (4 * 3.14159265358979323846);
+  // Unjudged vertices interpolate; their small masses are for parts where no vertex is judged.
+  const Eigen::VectorXd masses = areas.cwiseMax(1e-9 * whole / sums[5]) / l_squared;
+  b /= l_squared;
+  const Block<double> smooth = part.smooth(b, masses);
+
+  Realised_curvature result = compared(smooth.col(0), smooth.col(1), areas, part);
+  Eigen::Vector2d norms(0, areas.dot(smooth.col(1).cwiseAbs2()));
+  for (Eigen::Index v = 0; v < areas.size(); ++v)
+    if (areas[v] > 0) norms[0] += l_squared * l_squared * b(v, 1) * b(v, 1) / areas[v];
+  norms = part.sum(norms);
+  result.seen_share = std::sqrt(norms[1] / norms[0]);
+  result.judged_share = area / whole;
+  return result;
+}
+
 std::optional<Realised_curvature> realised_curvature(const Mesh_view& mesh, const Points& positions,
                                                      const Eigen::VectorXd& rho,
                                                      bool constants_have_effect,
@@ -113,42 +171,18 @@ std::optional<Realised_curvature> realised_curvature(const Mesh_view& mesh, cons
                                                      Solver_ref<double>& solver)
 {
   if (!positions.allFinite()) return std::nullopt;
-  const Vertex_integrals before(mesh, mesh.positions()), after(mesh, positions);
-  const Eigen::VectorXd areas = judged_areas(surface, before.areas, after.areas);
-  const double area = areas.sum();
-  if (!(area > 0)) return std::nullopt;
-  Block<double> b(areas.size(), 2);
-  for (Eigen::Index v = 0; v < areas.size(); ++v) {
-    const bool is_judged = areas[v] > 0;
-    const double spread = is_judged ? std::sqrt(before.areas[v] / after.areas[v]) : 0;
-    b(v, 0) = is_judged ? after.curvatures[v] * spread - before.curvatures[v] : 0;
-    b(v, 1) = areas[v] * rho[v];
-  }
-  const double size = b.col(1).cwiseAbs().sum();
-  if (!constants_have_effect)
-    for (int k = 0; k < 2; ++k) b.col(k) -= b.col(k).sum() / area * areas;
-  const double rounding = 1e-10;
-  if (!(b.col(1).cwiseAbs().sum() > rounding * size)) return std::nullopt;
-
-  const double l = Realised_curvature::smoothing_length;
-  const double l_squared = l * l * before.areas.sum() / (4 * 3.14159265358979323846);
-  Hermitian_sparse_matrix<double> L(std::move(pattern));
-  assemble_cotan_laplacian(surface, cotan_weights(surface), L);
-  // Unjudged vertices interpolate; their small masses are for parts where no vertex is judged.
-  const Eigen::VectorXd masses = areas.cwiseMax(1e-9 * before.areas.mean()) / l_squared;
-  check_smoothing("factorization", solver.factorize(L, masses));
-  Block<double> smooth;
-  b /= l_squared;
-  check_smoothing("solution", solver.solve(b, smooth));
-
-  Realised_curvature result = compared(smooth.col(0), smooth.col(1), areas);
-  double norm = 0;
-  for (Eigen::Index v = 0; v < areas.size(); ++v)
-    if (areas[v] > 0) norm += l_squared * l_squared * b(v, 1) * b(v, 1) / areas[v];
-  const Eigen::VectorXd seen = smooth.col(1);
-  result.seen_share = std::sqrt(areas.dot(seen.cwiseAbs2()) / norm);
-  result.judged_share = area / before.areas.sum();
-  return result;
+  const auto smooth = [&](const Block<double>& b, const Eigen::VectorXd& masses) {
+    Hermitian_sparse_matrix<double> L(pattern);
+    assemble_cotan_laplacian(surface, cotan_weights(surface), L);
+    check_smoothing("factorization", solver.factorize(L, masses));
+    Block<double> x;
+    check_smoothing("solution", solver.solve(b, x));
+    return x;
+  };
+  const Surface_part whole{mesh.size_of_vertices(),
+                           [](const Eigen::VectorXd& sums) { return sums; },
+                           [](double value) { return value; }, smooth};
+  return realised_curvature(mesh, positions, rho, constants_have_effect, surface, whole);
 }
 
 }  // namespace internal

@@ -2,7 +2,8 @@
 // Tests examples/conformal/mpi/spin_in_parts.cpp examples/conformal/mpi/Distributed_spin.cpp
 // Tests examples/conformal/mpi/Distributed_mesh.cpp examples/conformal/mpi/Ply_ranges.cpp
 // Tests examples/conformal/mpi/certify_distributed.cpp examples/conformal/mpi/collective.cpp
-// Tests examples/conformal/mpi/Distributed_matrix.h
+// Tests examples/conformal/mpi/Distributed_matrix.h examples/conformal/mpi/Checkpoint.cpp
+// Tests examples/conformal/mpi/Common_file.h
 #include "conformal/input/Surface_input.h"
 #include "program/support.h"
 #include "support/bounded_meshes.h"
@@ -100,6 +101,8 @@ TEST_F(Spin_in_parts, gives_the_surface_of_one_process_without_a_bound)
         EXPECT_NEAR(all["quasi_conformal"][name], one["quasi_conformal"][name], 1e-6) << name;
       for (const char* const name : {"rms", "max"})
         EXPECT_NEAR(all["length_cross_ratio"][name], one["length_cross_ratio"][name], 1e-6);
+      for (const char* const name : {"share", "correlation", "wrong_sign", "seen_share"})
+        EXPECT_NEAR(all["realised_curvature"][name], one["realised_curvature"][name], 1e-6) << name;
       for (const char* const name : {"min", "max", "collapsed_share"})
         EXPECT_NEAR(all["scale"][name], one["scale"][name], 1e-6) << name;
     }
@@ -163,6 +166,27 @@ TEST_F(Spin_in_parts, refuses_what_it_cannot_divide)
   EXPECT_TRUE(fails(run_on(2, "text.ply -o b.ply" + rho), 4, "not binary"));
   EXPECT_TRUE(fails(run_on(2, "absent.ply -o b.ply" + rho), 3, "absent.ply"));
   EXPECT_FALSE(has("b.ply"));
+}
+
+TEST_F(Spin_in_parts, is_resumed_where_it_was_ended)
+{
+  write_ply("a.ply", dumbbell(2));
+  const std::string all = "a.ply -o all.ply --json all.json" + rho;
+  ASSERT_EQ(run_on(2, all).code, 0);
+  const int iterations = json("all.json")["iterations"];
+  const std::string part = "a.ply -o b.ply --json b.json --advanced checkpoint=0" + rho;
+  const std::string few = " --advanced iterations=" + std::to_string(iterations * 2 / 3);
+  EXPECT_TRUE(fails(run_on(2, part + few), 1, "did not converge"));
+  EXPECT_TRUE(has("b.ply.checkpoint"));
+  EXPECT_FALSE(has("b.ply"));
+  EXPECT_TRUE(fails(run_on(2, part + "--amplitude 2 --resume"), 4, "of another run"));
+  ASSERT_EQ(run_on(3, part + "--resume").code, 0);
+  EXPECT_LT(int(json("b.json")["iterations"]), iterations * 2 / 3);
+  const Points expected = mesh("all.ply").positions();
+  EXPECT_LT((mesh("b.ply").positions() - expected).colwise().norm().maxCoeff(),
+            1e-8 * diagonal(expected));
+  EXPECT_FALSE(has("b.ply.checkpoint"));
+  EXPECT_TRUE(fails(run_on(2, part + "--resume"), 3, "no checkpoint"));
 }
 
 TEST_F(Spin_in_parts, writes_what_does_not_verify_only_by_force)
