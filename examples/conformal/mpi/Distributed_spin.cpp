@@ -67,14 +67,14 @@ class Eigenvector {
   void solve(const CGP::Dirac_options& options, const Save& save, const Go_further& go_further,
              CGP::Spin_report& report)
   {
-    const double rough = 1e-3, same_vector = .85, least_step = 1. / 64;
+    const double rough = 1e-2, same_vector = .85, least_step = 1. / 64;
     while (m_t < 1) {
       const auto before = std::pair(lambda, gamma);
       const double start = m_t, slope = quotient_slope();
       m_t = (std::min)(1., m_t + m_step);
       gamma += (m_t - start) * slope;
       m_grids.reset();
-      refine((std::max)(rough, options.tolerance), options, {}, go_further, report);
+      refine((std::max)(rough, options.tolerance), 1, options, {}, go_further, report);
       if (report.cancelled || report.iterations >= options.max_iterations) return;
       if (overlap_with(before.first) < same_vector && m_step > least_step) {
         std::tie(lambda, gamma) = before;
@@ -85,7 +85,7 @@ class Eigenvector {
         save(state());
       }
     }
-    refine(options.tolerance, options, save, go_further, report);
+    refine(options.tolerance, 12, options, save, go_further, report);
   }
 
   /// 4 pi / area
@@ -138,10 +138,9 @@ class Eigenvector {
   Eigen::VectorXd shifted() const { return m_t * m_rho.array() + gamma; }
 
   /// makes shift and vector stationary together
-  void refine(double tolerance, const CGP::Dirac_options& options, const Save& save,
+  void refine(double tolerance, int max_passes, const CGP::Dirac_options& options, const Save& save,
               const Go_further& go_further, CGP::Spin_report& report)
   {
-    const int max_passes = 12;
     for (int pass = 0; pass < max_passes; ++pass) {
       assemble(report);
       iterate(tolerance, options.max_iterations, go_further, report);
