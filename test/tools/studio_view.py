@@ -57,8 +57,9 @@ def check_size(studio):
 
 def check_selection(studio):
     """A stroke and a turn that leave the canvas select nothing of the page; not every browser would select."""
-    begins = studio.page.value("[getComputedStyle(document.querySelector('#view')).userSelect, document.querySelector("
-                               "'canvas').dispatchEvent(new MouseEvent('mousedown', {bubbles: true, cancelable: true}))]")
+    begins = studio.page.value(
+        "[getComputedStyle(document.querySelector('#view')).userSelect, document.querySelector('canvas')"
+        ".dispatchEvent(new MouseEvent('mousedown', {bubbles: true, cancelable: true}))]")
     require(begins == ["none", False], f"a selection can begin in the view: {begins}")
     for down in (.5, .95):
         x, y = studio.place(.25, down)
