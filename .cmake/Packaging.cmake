@@ -38,6 +38,13 @@ endforeach()
 install(FILES ${config} ${config_version} ${CMAKE_CURRENT_LIST_DIR}/FindCHOLMOD.cmake
               ${CMAKE_CURRENT_LIST_DIR}/FindMETIS.cmake ${CMAKE_CURRENT_LIST_DIR}/FindSLEPc.cmake
         DESTINATION ${config_folder} COMPONENT headers)
+# For projects without CMake: `pkg-config conformal_geometry_kernels`.
+set(pc_folder ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+file(RELATIVE_PATH pc_prefix /${pc_folder} /)
+configure_file(${CMAKE_CURRENT_LIST_DIR}/conformal_geometry_kernels.pc.in
+               ${PROJECT_BINARY_DIR}/conformal_geometry_kernels.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/conformal_geometry_kernels.pc DESTINATION ${pc_folder}
+        COMPONENT headers)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/doc/licenses/ DESTINATION ${CMAKE_INSTALL_DOCDIR}
         COMPONENT headers)
 

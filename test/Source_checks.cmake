@@ -63,7 +63,7 @@ elseif(Python3_FOUND AND TARGET conformal AND CGP_HAS_THREE)
     add_test(NAME program.studio_in_chromium COMMAND ${Python3_EXECUTABLE}
              ${CMAKE_CURRENT_SOURCE_DIR}/tools/check_studio.py $<TARGET_FILE:conformal>
              ${CGP_CHROMIUM})
-    set_tests_properties(program.studio_in_chromium PROPERTIES TIMEOUT 600)
+    set_tests_properties(program.studio_in_chromium PROPERTIES TIMEOUT 1200)
   endif()
 endif()
 

@@ -39,8 +39,28 @@ def check_circle(studio):
     require(drag == "turn" and circle is None, f"beside the shape a drag seems to {drag}")
 
 
+def check_size(studio):
+    """What one dab paints is within the circle, and fills most of it."""
+    x, y = studio.place(.25, .5)
+    _, (left, _, width, _) = look(studio, x, y)
+    studio.page.drag([(x, y)])
+    studio.settle()
+    studio.page.mouse("mouseMoved", (5, 5))
+    row = read_png(studio.picture("dab.png").read_bytes())[round(y)]
+    painted = [i for i in range(round(left - width), round(left + 2 * width)) if row[i][0] > 1.15 * row[i][2]]
+    require(painted, "a dab paints nothing")
+    require(left - 2 < painted[0] and painted[-1] < left + width + 2, f"paint from {painted[0]} to {painted[-1]}, "
+            f"a circle from {left} to {left + width}")
+    require(painted[-1] - painted[0] > .6 * width, f"paint over {painted[-1] - painted[0]} of {width} pixels")
+    studio.click("#clear")
+
+
 def check_selection(studio):
-    """A stroke and a turn that leave the canvas select nothing of the page."""
+    """A stroke and a turn that leave the canvas select nothing of the page; not every browser would select."""
+    begins = studio.page.value(
+        "[getComputedStyle(document.querySelector('#view')).userSelect, document.querySelector('canvas')"
+        ".dispatchEvent(new MouseEvent('mousedown', {bubbles: true, cancelable: true}))]")
+    require(begins == ["none", False], f"a selection can begin in the view: {begins}")
     for down in (.5, .95):
         x, y = studio.place(.25, down)
         studio.page.drag([(x, y), (x, y + 80), (x + 300, 1000), (x + 900, 20)])
@@ -54,6 +74,7 @@ def check_pointer(studio, path):
     """The pointer shows what a drag does; turning is told in words."""
     studio.open(path)
     check_circle(studio)
+    check_size(studio)
     studio.click("[data-tool=pull]")
     require(look(studio, *studio.place(.75, .5))[0] == "pull", "a pull is not shown")
     require(look(studio, *studio.place(.25, .5))[0] == "turn", "the first shape seems to be pulled")

@@ -4,11 +4,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Optional
+from typing import Optional
 
 import numpy as np
 
 from ._arrays import real, real_or_none
+from ._types import Points, Vector
 
 
 @dataclass(frozen=True, eq=False)
@@ -33,18 +34,18 @@ class Boundary_condition:
         return Boundary_condition()
 
     @staticmethod
-    def tangents(targets: Any = None) -> "Boundary_condition":
+    def tangents(targets: Optional[Points] = None) -> "Boundary_condition":
         """The tangents become those given, n x 3; without any, they are kept."""
         return Boundary_condition.directions((1, 0, 0), targets)
 
     @staticmethod
-    def binormals(targets: Any = None) -> "Boundary_condition":
+    def binormals(targets: Optional[Points] = None) -> "Boundary_condition":
         """The binormals (tangent to the surface, across the boundary) become those given, n x 3;
         without any, they are kept. Any binormals can be realised."""
         return Boundary_condition.directions((0, 0, 1), targets)
 
     @staticmethod
-    def directions(direction: Any, targets: Any = None) -> "Boundary_condition":
+    def directions(direction: Vector, targets: Optional[Points] = None) -> "Boundary_condition":
         """The direction t T + n N + b B of the boundary frame, by its coefficients (t, n, b),
         becomes that given, n x 3; without any, it is kept. Not the normal alone."""
         name = "Boundary_condition"
@@ -52,7 +53,7 @@ class Boundary_condition:
                                   real_or_none(targets, name, "directions"))
 
     @staticmethod
-    def positions(targets: Any, normals: Any = None, weight: float = float("inf")
+    def positions(targets: Points, normals: Optional[Points] = None, weight: float = float("inf")
                   ) -> "Boundary_condition":
         """The boundary moves to positions, n x 3, with given normals of the new surface, n x 3 (by
         default those of the mesh with all of its vertices at ``targets``). No conformal surface

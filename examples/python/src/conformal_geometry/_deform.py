@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Dict, Mapping, Optional
+from typing import Dict, Mapping, Optional
 
 import numpy as np
 
@@ -14,13 +14,14 @@ from ._kernels import default_max_scale
 from ._report import build
 from ._reports import Spin_report, known
 from ._spin import Callback, Spin_result, _progress, scale_bound
+from ._types import Faces, Points, Value_array, Vector, Vertex_values
 
 
 @dataclass(frozen=True, eq=False)
 class Deformation_result(Spin_result):
     """A surface whose control points have moved. ``report.reached`` is the share of the way to the
     targets, ``report.position_error`` the distances that remain."""
-    rho: np.ndarray  #: the change of mean curvature that was found, one per vertex, in 1/length
+    rho: Value_array  #: the change of mean curvature that was found, one per vertex, in 1/length
 
 
 class Conformal_deformation:
@@ -30,9 +31,9 @@ class Conformal_deformation:
     at a time; different objects compute at the same time.
     """
 
-    def __init__(self, V: Any, F: Any, *, position_weight: Optional[float] = None,
-                 max_scale: Optional[float] = default_max_scale, vertex_scale: Any = None,
-                 vertex_scale_weight: Any = None, vertex_region: Any = None,
+    def __init__(self, V: Points, F: Faces, *, position_weight: Optional[float] = None,
+                 max_scale: Optional[float] = default_max_scale, vertex_scale: Optional[Vertex_values] = None,
+                 vertex_scale_weight: Optional[Vertex_values] = None, vertex_region: Optional[Vertex_values] = None,
                  exactness: Optional[str] = "adjoint", mollification: Optional[float] = None,
                  function: str = "Conformal_deformation") -> None:
         self._function = function
@@ -45,7 +46,7 @@ class Conformal_deformation:
         self._kernel = _kernels.Deformation(points(V, function), faces(F, function), options,
                                             function)
 
-    def deform(self, targets: Mapping[int, Any], *, limits: Optional[Dict[str, float]] = None,
+    def deform(self, targets: Mapping[int, Vector], *, limits: Optional[Dict[str, float]] = None,
                callback: Callback = None) -> Deformation_result:
         """The initial surface with vertices at the targets. With the vertices of the last call,
         the search starts from its result: a small move takes a few factorizations."""
@@ -56,9 +57,9 @@ class Conformal_deformation:
         return Deformation_result(positions, spins, build(Spin_report, report), rho)
 
 
-def deform(V: Any, F: Any, targets: Mapping[int, Any], *, position_weight: Optional[float] = None,
-           max_scale: Optional[float] = default_max_scale, vertex_scale: Any = None,
-           vertex_scale_weight: Any = None, vertex_region: Any = None,
+def deform(V: Points, F: Faces, targets: Mapping[int, Vector], *, position_weight: Optional[float] = None,
+           max_scale: Optional[float] = default_max_scale, vertex_scale: Optional[Vertex_values] = None,
+           vertex_scale_weight: Optional[Vertex_values] = None, vertex_region: Optional[Vertex_values] = None,
            exactness: Optional[str] = "adjoint", mollification: Optional[float] = None,
            limits: Optional[Dict[str, float]] = None,
            callback: Callback = None) -> Deformation_result:

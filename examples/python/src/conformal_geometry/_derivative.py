@@ -11,6 +11,7 @@ from scipy.sparse.linalg import LinearOperator
 from . import _kernels
 from ._arrays import faces, points, real
 from ._boundary import Boundary_condition
+from ._types import Changes, Faces, Points, Values
 
 
 class Spin_derivative:
@@ -37,7 +38,7 @@ class Spin_derivative:
         if the equation is not solved, or the iterations for a product do not converge
     """
 
-    def __init__(self, V: Any, F: Any, rho: Any, *, on: Optional[str] = None,
+    def __init__(self, V: Points, F: Faces, rho: Values, *, on: Optional[str] = None,
                  tolerance: float = 1e-12, boundary: Optional[Boundary_condition] = None,
                  mollification: Optional[float] = None) -> None:
         name = "Spin_derivative"
@@ -62,7 +63,7 @@ class Spin_derivative:
         self.positions = _operator((3 * n, inputs), kernel.positions, kernel.positions_transpose)
         self._kernel = kernel
 
-    def eigenvalue_change(self, drho: Any) -> np.ndarray:
+    def eigenvalue_change(self, drho: Changes) -> np.ndarray:
         """The change of gamma, which is a number, or one for each column; 0 where the surface has a
         boundary, and with it no eigenvalue."""
         drho = real(drho, "Spin_derivative", "values")

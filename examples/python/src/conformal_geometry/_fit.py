@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Dict, Optional
+from typing import Dict, Optional
 
 import numpy as np
 
@@ -13,6 +13,7 @@ from ._arrays import faces, points, real, real_or_none
 from ._report import build
 from ._reports import Spin_report, known
 from ._spin import Callback, Dirac_options, Spin_result, _progress, spin_result
+from ._types import Faces, Points, Vector, Vertex_values
 
 
 @dataclass(frozen=True, eq=False)
@@ -23,9 +24,10 @@ class Nearest_result(Spin_result):
     sign_conflicts: int  #: of the spins of the target; 0 for smooth deformations
 
 
-def nearest(V: Any, target: Any, F: Any, *, blend: float = 0., keep_curvature: bool = False,
+def nearest(V: Points, target: Points, F: Faces, *, blend: float = 0., keep_curvature: bool = False,
             normal_weight: float = 1., distance_tolerance: float = 1e-4,
-            direction: Any = (1, 0, 0), max_scale: Optional[float] = None, vertex_scale: Any = None,
+            direction: Vector = (1, 0, 0), max_scale: Optional[float] = None,
+            vertex_scale: Optional[Vertex_values] = None,
             exactness: Optional[str] = "adjoint", max_period_defect: Optional[float] = None,
             mollification: Optional[float] = None, tolerance: float = 1e-8,
             max_iterations: int = 200, random_seed: int = 0,
@@ -77,7 +79,7 @@ def nearest(V: Any, target: Any, F: Any, *, blend: float = 0., keep_curvature: b
                           conflicts)
 
 
-def blend(A: Any, B: Any, F: Any, t: float = 0.5, *, onto: Any = None,
+def blend(A: Points, B: Points, F: Faces, t: float = 0.5, *, onto: Optional[Points] = None,
           keep_curvature: bool = False, distance_tolerance: float = 1e-4,
           tolerance: float = 1e-8, random_seed: int = 0, callback: Callback = None) -> Spin_result:
     """Goes from one surface towards a conformally equivalent one, or beyond: adds t times the

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Callable, Optional
+from typing import Callable, Optional
 
 import numpy as np
 
@@ -13,22 +13,23 @@ from ._arrays import faces, points, real_or_none
 from ._boundary import Boundary_condition
 from ._report import Result, build
 from ._reports import Flow_report, Flow_step_report, flow_report
+from ._types import Faces, Point_array, Points, Vertex_values
 
 
 @dataclass(frozen=True, eq=False)
 class Flow_result(Result):
     """The last surface of a flow, which is within the limits of distortion in every case."""
-    positions: np.ndarray  #: n x 3
+    positions: Point_array  #: n x 3
     report: Flow_report
 
 
 Step_callback = Callable[[Flow_step_report, np.ndarray], Optional[bool]]
 
 
-def willmore_flow(V: Any, F: Any, *, max_steps: int = 100, time_step: float = 1.,
+def willmore_flow(V: Points, F: Faces, *, max_steps: int = 100, time_step: float = 1.,
                   min_time_step: float = 1e-2, energy_tolerance: float = 1e-4,
                   filter_weight: float = 0., filter_order: int = 1, balance: str = "none",
-                  balancing: str = "inversion", target_areas: Any = None,
+                  balancing: str = "inversion", target_areas: Optional[Vertex_values] = None,
                   boundary: Optional[Boundary_condition] = None,
                   exact_conformal_class: bool = True, fairing: bool = True,
                   exactness: Optional[str] = "adjoint",

@@ -15,6 +15,7 @@ from ._derivative import Spin_derivative
 from ._kernels import default_max_scale
 from ._report import Result, build
 from ._reports import Spin_report, known
+from ._types import Faces, Point_array, Points, Quaternion_array, Quaternions, Values, Vertex_values
 
 
 class Progress(NamedTuple):
@@ -32,8 +33,8 @@ class Spin_result(Result):
     arrays are what was found all the same, to be looked at. They have no rows if the computation
     was cancelled.
     """
-    positions: np.ndarray  #: n x 3, in the unit of the mesh
-    spins: np.ndarray  #: n x 4, lambda as (w, x, y, z); df~ = conjugate(lambda) df lambda
+    positions: Point_array  #: n x 3, in the unit of the mesh
+    spins: Quaternion_array  #: n x 4, lambda as (w, x, y, z); df~ = conjugate(lambda) df lambda
     report: Spin_report
 
 
@@ -52,7 +53,7 @@ def scale_bound(max_scale: Optional[float]) -> Dict[str, Optional[float]]:
     return {} if max_scale is default_max_scale else {"max_scale": max_scale}
 
 
-def spin_result(positions: np.ndarray, spins: np.ndarray, report: Dict[str, Any]) -> Spin_result:
+def spin_result(positions: Point_array, spins: np.ndarray, report: Dict[str, Any]) -> Spin_result:
     return Spin_result(positions, spins, build(Spin_report, report))
 
 
@@ -72,9 +73,9 @@ class Spin_transformation:
     thread at a time; different objects compute at the same time.
     """
 
-    def __init__(self, V: Any, F: Any, *, boundary: Optional[Boundary_condition] = None,
-                 max_scale: Optional[float] = default_max_scale, vertex_scale: Any = None,
-                 vertex_scale_weight: Any = None, exactness: Optional[str] = "adjoint",
+    def __init__(self, V: Points, F: Faces, *, boundary: Optional[Boundary_condition] = None,
+                 max_scale: Optional[float] = default_max_scale, vertex_scale: Optional[Vertex_values] = None,
+                 vertex_scale_weight: Optional[Vertex_values] = None, exactness: Optional[str] = "adjoint",
                  max_period_defect: Optional[float] = None,
                  mollification: Optional[float] = None, exact_conformal_class: bool = False,
                  function: str = "Spin_transformation") -> None:
@@ -96,10 +97,10 @@ class Spin_transformation:
         return self._kernel.positions()
 
     @positions.setter
-    def positions(self, V: Any) -> None:
+    def positions(self, V: Points) -> None:
         self._kernel.set_positions(points(V, self._function))
 
-    def transform(self, rho: Any, *, on: Optional[str] = None, tolerance: float = 1e-8,
+    def transform(self, rho: Values, *, on: Optional[str] = None, tolerance: float = 1e-8,
                   max_iterations: int = 200, random_seed: int = 0,
                   dirac: Dirac_options = Dirac_options(),
                   limits: Optional[Dict[str, float]] = None,
@@ -111,12 +112,12 @@ class Spin_transformation:
             real(rho, self._function, "values of rho"), on or "", options, known(limits),
             _progress(callback)))
 
-    def integrate(self, spins: Any) -> Spin_result:
+    def integrate(self, spins: Quaternions) -> Spin_result:
         """The surface with given spins, n x 4, whether they are those of a surface or not:
         ``report.closure_residual`` tells how far they are from it."""
         return spin_result(*self._kernel.integrate(real(spins, self._function, "spins")))
 
-    def derivative(self, rho: Any, *, on: Optional[str] = None,
+    def derivative(self, rho: Values, *, on: Optional[str] = None,
                    tolerance: float = 1e-12) -> Spin_derivative:
         """The derivative at rho of the transformation without a bound, see ``Spin_derivative``."""
         return Spin_derivative(self._kernel.positions(), self._faces, rho, on=on,
@@ -124,9 +125,9 @@ class Spin_transformation:
                                mollification=self._mollification)
 
 
-def spin_transform(V: Any, F: Any, rho: Any, *, on: Optional[str] = None,
-                   max_scale: Optional[float] = default_max_scale, vertex_scale: Any = None,
-                   vertex_scale_weight: Any = None,
+def spin_transform(V: Points, F: Faces, rho: Values, *, on: Optional[str] = None,
+                   max_scale: Optional[float] = default_max_scale, vertex_scale: Optional[Vertex_values] = None,
+                   vertex_scale_weight: Optional[Vertex_values] = None,
                    boundary: Optional[Boundary_condition] = None,
                    exactness: Optional[str] = "adjoint",
                    max_period_defect: Optional[float] = None,
@@ -215,7 +216,7 @@ def spin_transform(V: Any, F: Any, rho: Any, *, on: Optional[str] = None,
         dirac=dirac, limits=limits, callback=callback)
 
 
-def minimal_surface(V: Any, F: Any, *, boundary: Optional[Boundary_condition] = None,
+def minimal_surface(V: Points, F: Faces, *, boundary: Optional[Boundary_condition] = None,
                     tolerance: float = 1e-8, max_iterations: int = 200, random_seed: int = 0,
                     dirac: Dirac_options = Dirac_options(),
                     callback: Callback = None) -> Spin_result:

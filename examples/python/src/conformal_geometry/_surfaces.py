@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from operator import index
-from typing import Any, List, Optional
+from typing import List, Optional
 
 import numpy as np
 
@@ -14,16 +14,18 @@ from ._arrays import faces, points, real_or_none
 from ._boundary import Boundary_condition
 from ._report import Result, build
 from ._reports import Class_snap_report, Parameterization_report
+from ._types import (Edge_array, Faces, Field_array, Form_array, Plane_array, Point_array, Points,
+                     Spinor_array, Value_array, Values)
 
 
 @dataclass(frozen=True, eq=False)
 class Flattening(Result):
     """A map to the plane."""
-    uv: np.ndarray  #: n x 2, in the unit of the mesh
+    uv: Plane_array  #: n x 2, in the unit of the mesh
     report: Parameterization_report
 
 
-def flatten(V: Any, F: Any, *, normals: str = "faces", boundary: str = "longest_loop",
+def flatten(V: Points, F: Faces, *, normals: str = "faces", boundary: str = "longest_loop",
             tolerance: float = 1e-6, max_iterations: int = 100) -> Flattening:
     """Flattens a surface with boundary with least distortion of angles [CGP 6.1]: the spectral
     conformal parameterization of Mullen et al. No vertex is pinned; the surface may have holes. The
@@ -49,15 +51,15 @@ def flatten(V: Any, F: Any, *, normals: str = "faces", boundary: str = "longest_
 @dataclass(frozen=True, eq=False)
 class Harmonic_basis:
     """The harmonic 1-forms of a surface, orthonormal, with their tangent fields."""
-    edges: np.ndarray  #: |E| x 2: the vertices i < j of each edge
-    one_forms: np.ndarray  #: |E| x k, along i -> j; dimensionless
-    fields: np.ndarray  #: k x m x 3, one vector for each face, in 1/length
+    edges: Edge_array  #: |E| x 2: the vertices i < j of each edge
+    one_forms: Form_array  #: |E| x k, along i -> j; dimensionless
+    fields: Field_array  #: k x m x 3, one vector for each face, in 1/length
 
     def __len__(self) -> int:
         return self.one_forms.shape[1]
 
 
-def harmonic_basis(V: Any, F: Any) -> Harmonic_basis:
+def harmonic_basis(V: Points, F: Faces) -> Harmonic_basis:
     """The harmonic 1-forms of a surface: 2G for genus G, and 2G + L - 1 with L boundary loops; none
     for spheres and disks [CGP 6.4.5.1]. Closed and co-closed, tangent to a boundary. The basis
     depends on the order of the vertices and faces. One factorization, and two solves per form."""
@@ -73,10 +75,10 @@ class Dirac_spectrum:
     all within ``complete_radius`` of the shift."""
     shift: float
     wanted: int
-    eigenvalues: np.ndarray  #: k, signed, in 1/length
-    pencil_eigenvalues: np.ndarray  #: k, those of [CGP (5.2)]
-    residuals: np.ndarray  #: k, relative
-    vectors: np.ndarray  #: k x n x 4: spins, of mean square 1
+    eigenvalues: Value_array  #: k, signed, in 1/length
+    pencil_eigenvalues: Value_array  #: k, those of [CGP (5.2)]
+    residuals: Value_array  #: k, relative
+    vectors: Spinor_array  #: k x n x 4: spins, of mean square 1
     size_of_constants: int
     complete_radius: float
     restarts: int
@@ -88,7 +90,7 @@ class Dirac_spectrum:
         return self.is_complete
 
 
-def dirac_spectrum(V: Any, F: Any, count: int, *, rho: Any = None, on: Optional[str] = None,
+def dirac_spectrum(V: Points, F: Faces, count: int, *, rho: Optional[Values] = None, on: Optional[str] = None,
                    shift: float = 0., boundary: Optional[Boundary_condition] = None,
                    tolerance: float = 1e-8, max_restarts: int = 100, random_seed: int = 0
                    ) -> Dirac_spectrum:
@@ -108,11 +110,11 @@ def dirac_spectrum(V: Any, F: Any, count: int, *, rho: Any = None, on: Optional[
 @dataclass(frozen=True, eq=False)
 class Class_snap_result(Result):
     """A surface on the exact discrete conformal class of another."""
-    positions: np.ndarray  #: n x 3
+    positions: Point_array  #: n x 3
     report: Class_snap_report
 
 
-def snap_to_conformal_class(V: Any, reference: Any, F: Any, *, on_delaunay: bool = False,
+def snap_to_conformal_class(V: Points, reference: Points, F: Faces, *, on_delaunay: bool = False,
                             tolerance: float = 1e-10, max_iterations: int = 40
                             ) -> Class_snap_result:
     """Moves a surface, by as little as possible, to one with exactly the length cross-ratios of a
