@@ -36,7 +36,7 @@ cmake --build "$work/build" --parallel 2 >>"$work/log" 2>&1 || { cat "$work/log"
 if [ "$way" != subdirectory ] && command -v pkg-config >/dev/null; then # without CMake
   export PKG_CONFIG_PATH
   PKG_CONFIG_PATH=$(dirname "$(find "$work/prefix" -name conformal_geometry_kernels.pc)")
-  read -ra flags < <(pkg-config --cflags --libs conformal_geometry_kernels | tr '\n' ' ')
+  read -ra flags <<<"$(pkg-config --cflags --libs conformal_geometry_kernels)"
   "$compiler" -std=c++17 "$root/test/downstream/kernels.cpp" "${flags[@]}" -o "$work/build/downstream_pkg_config" \
     "-Wl,-rpath,$(pkg-config --variable=libdir conformal_geometry_kernels)"
 fi
