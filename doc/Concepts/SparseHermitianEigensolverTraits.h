@@ -11,6 +11,11 @@ using namespace Conformal_geometry_processing;
 /// Eigenvectors are right ones and defined up to a quaternion on their right; each eigenvalue
 /// counts once. If the iteration does not converge, the result says so; this is not an error.
 ///
+/// An eigenvalue with several eigenvectors is returned as often as the block has room for it. The
+/// caller cannot tell whether a copy is missing: `Eigensolver_result::gap` is an upper bound, and
+/// too large then. Krylov methods that begin with one vector miss copies at loose tolerances, and
+/// count as converged; blocks do not.
+///
 /// Headers of these types:
 /// - `Conformal_geometry_processing::Block`,
 ///   `Quaternionic_linear_algebra/algebra/Quaternion_vector.h`

@@ -57,17 +57,31 @@ void note_departures(const Spin_solution& solution, Session& session)
         " % of the norm of rho is left out: with it, the handles and holes would not stay closed");
 }
 
+/// what is left out for handles and holes is the same share of a smaller rho, to first order
+bool is_in_vain_to_weaken(CGP::Spin_report report, const Verification_limits& limits)
+{
+  using Fault = CGP::Spin_report::Fault;
+  report.limits = spin_limits(limits);
+  const Fault fault = report.fault();
+  return fault == Fault::left_out || fault == Fault::nothing_left;
+}
+
 /// \brief advice that names the amplitude with which a refused solution would verify
 std::string easier_by_amplitude(const Surface_input& input, const Spin_problem& problem,
                                 const Spin_options& options, const Spin_solution& refused,
                                 const std::string& easier, Session& session)
 {
-  if (options.force || problem.minimal ||
+  if (options.force || problem.minimal || is_in_vain_to_weaken(refused.report, options.limits) ||
       objection(refused.report, refused.positions, options.limits, "").empty())
     return easier;
-  const double amplitude =
-      options.rho.amplitude * suggested_factor(input.mesh, problem, options.limits, session);
-  if (amplitude == 0) return easier;
+  const int dear = 400;  // solves: ten times those of most results
+  if (refused.report.solves > dear)
+    session.note("no result that verifies after " + std::to_string(refused.report.solves) +
+                 " solves; looking for an amplitude that does (--force leaves that out)");
+  const Suggestion found = suggested_factor(input.mesh, problem, options.limits, session);
+  session.report().set("result/suggestion_solves", found.solves);
+  if (found.factor == 0) return easier;
+  const double amplitude = options.rho.amplitude * found.factor;
   session.report().set("result/suggested_amplitude", amplitude);
   return "--amplitude " + text_of(amplitude) + ", with which it verifies, or " + easier;
 }

@@ -5,6 +5,7 @@
 
 #include "conformal/report/verification.h"
 
+#include <Conformal_geometry_processing/mesh/Delaunay_view.h>
 #include <Quaternionic_linear_algebra/exceptions.h>
 
 #include <exception>
@@ -21,8 +22,7 @@ struct Attempt {
 };
 
 Attempt attempt(const CGP::Mesh_view& mesh, const Spin_problem& problem,
-                const Verification_limits& limits, const Session& session,
-                const std::string& words = "")
+                const Verification_limits& limits, const Session& session, const std::string& words)
 {
   const auto solve = [&](const Go_further& go_further) {
     return solve_spin(mesh, problem, go_further);
@@ -51,16 +51,31 @@ std::string without_advice(const std::string& fault)
   return fault.substr(0, fault.find("; try"));
 }
 
+/// whether the second attempt would solve what the first one has solved, as all triangles are well
+/// shaped already; also where their Delaunay triangulation is refused, as it would be again
+bool is_same_surface(const CGP::Mesh_view& mesh, double mollification)
+{
+  try {
+    const CGP::Delaunay_view view(mesh, mollification);
+    return view.number_of_flips() == 0 && view.added_length() == 0 &&
+           view.size_of_sheets() == mesh.size_of_faces();  // no cap at the boundary is split
+  } catch (const CGP::Precondition_error&) {
+    return true;
+  }
+}
+
 }  // namespace
 
 Spin_solution solve_twice(const CGP::Mesh_view& mesh, const Spin_problem& problem,
-                          const Verification_limits& limits, const Session& session)
+                          const Verification_limits& limits, const Session& session,
+                          const std::string& words)
 {
-  Attempt first = attempt(mesh, problem, limits, session);
-  if (first.fault.empty() || !problem.second_try) return solution_of(std::move(first));
+  Attempt first = attempt(mesh, problem, limits, session, words);
+  if (first.fault.empty() || !problem.second_try || is_same_surface(mesh, *problem.second_try))
+    return solution_of(std::move(first));
   Spin_problem again = problem;
   again.request.mollification = problem.second_try;
-  Attempt second = attempt(mesh, again, limits, session, "as with --mollify, ");
+  Attempt second = attempt(mesh, again, limits, session, words + "as with --mollify, ");
   if (!second.fault.empty()) return solution_of(std::move(first));
   second.solution.note = "solved as with --mollify: without, " + without_advice(first.fault);
   return solution_of(std::move(second));

@@ -6,12 +6,16 @@
 #include "conformal/report/Session.h"
 #include "conformal/report/Verification_limits.h"
 
+#include <string>
+
 namespace conformal {
 
 /// \brief Runs `solve_spin()` with a progress line. If the result does not verify, the alternative
 /// problem is solved, and used and noted if it verifies; otherwise the first result is returned.
+/// \param words said before those of progress
 /// \throws Failure on a signal, and exceptions of the library in the first attempt
 Spin_solution solve_twice(const CGP::Mesh_view& mesh, const Spin_problem& problem,
-                          const Verification_limits& limits, const Session& session);
+                          const Verification_limits& limits, const Session& session,
+                          const std::string& words = "");
 
 }  // namespace conformal

@@ -3,18 +3,23 @@
 
 #include "solve_twice.h"
 
+#include "conformal/process/text.h"
 #include "conformal/report/verification.h"
 
 #include <Quaternionic_linear_algebra/exceptions.h>
+
+#include <string>
 
 namespace conformal {
 namespace {
 
 bool has_solution(const CGP::Mesh_view& mesh, const Spin_problem& problem,
-                  const Verification_limits& limits, const Session& session)
+                  const Verification_limits& limits, const Session& session,
+                  const std::string& words, int& solves)
 {
   try {
-    const Spin_solution solution = solve_twice(mesh, problem, limits, session);
+    const Spin_solution solution = solve_twice(mesh, problem, limits, session, words);
+    solves += solution.report.solves;
     return objection(solution.report, solution.positions, limits, "").empty();
   } catch (const CGP::Solver_error& error) {
     if (CGP::is_out_of_memory(error)) throw;
@@ -24,18 +29,22 @@ bool has_solution(const CGP::Mesh_view& mesh, const Spin_problem& problem,
 
 }  // namespace
 
-double suggested_factor(const CGP::Mesh_view& mesh, const Spin_problem& refused,
-                        const Verification_limits& limits, const Session& session)
+Suggestion suggested_factor(const CGP::Mesh_view& mesh, const Spin_problem& refused,
+                            const Verification_limits& limits, const Session& session)
 {
-  if (refused.rho.values.isZero(0)) return 0;
-  double works = 0, fails = 1;
-  for (int k = 0; k < 4; ++k) {
-    const double factor = (works + fails) / 2;
+  const int most_tries = 4, most_solves = 1000;
+  Suggestion found;
+  if (refused.rho.values.isZero(0)) return found;
+  double fails = 1;
+  for (int k = 0; k < most_tries && found.solves < most_solves; ++k) {
+    const double factor = (found.factor + fails) / 2;
     Spin_problem weaker = refused;
     weaker.rho.values *= factor;
-    (has_solution(mesh, weaker, limits, session) ? works : fails) = factor;
+    const std::string words = "rho times " + text_of(factor) + ", ";
+    const bool works = has_solution(mesh, weaker, limits, session, words, found.solves);
+    (works ? found.factor : fails) = factor;
   }
-  return works;
+  return found;
 }
 
 }  // namespace conformal

@@ -7,12 +7,19 @@
 
 namespace conformal {
 
+/// a factor of rho, and what it has cost to find it
+struct Suggestion {
+  double factor = 0;
+  int solves = 0;
+};
+
 /// \brief Finds by bisection a factor below one with which rho of a refused problem has a solution
 /// that verifies; the largest one up to a sixteenth where all smaller ones verify. Zero if there is
 /// none, also where rho is zero.
 ///
-/// Costs up to four solutions of the problem. \throws Failure if a signal comes
-double suggested_factor(const CGP::Mesh_view& mesh, const Spin_problem& refused,
-                        const Verification_limits& limits, const Session& session);
+/// Costs up to four solutions of the problem, and no further one after 1,000 solves.
+/// \throws Failure if a signal comes
+Suggestion suggested_factor(const CGP::Mesh_view& mesh, const Spin_problem& refused,
+                            const Verification_limits& limits, const Session& session);
 
 }  // namespace conformal

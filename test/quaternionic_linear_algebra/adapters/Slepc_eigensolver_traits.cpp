@@ -84,6 +84,45 @@ TEST(Slepc_eigensolver_traits, finds_several_vectors)
   expect_agreement(radially_perturbed(bumpy_sphere(2), 0.01), 2);
 }
 
+// 1, 2, 3, ..., each with four eigenvectors: H D H for a reflection H = 1 - 2 v v^H
+CGP::Hermitian_sparse_matrix<Q> with_fourfold_eigenvalues(const Pattern& pattern)
+{
+  const int n = pattern->size();
+  CGP::Block<Q> v = random_block<Q>(n, 1, 3);
+  CGP::scale_column(v, 0, 1 / std::sqrt(CGP::inner_product(v.col(0), v.col(0)).w));
+  const auto H = [&](int i, int j) {
+    return Q{i == j ? 1. : 0., 0, 0, 0} - 2. * (v(i, 0) * CGP::conjugate(v(j, 0)));
+  };
+  CGP::Hermitian_sparse_matrix<Q> A(pattern);
+  int k = 0;
+  A.for_each_entry([&](int i, int j, const Q&) {
+    Q sum{0, 0, 0, 0};
+    for (int l = 0; l < n; ++l) sum += H(i, l) * H(l, j) * (1. + l / 4);
+    A.value(k++) = sum;
+  });
+  return A;
+}
+
+TEST(Slepc_eigensolver_traits, finds_all_copies_of_an_eigenvalue_from_any_start)
+{
+  const Pattern pattern = full_pattern(60);
+  const auto A = with_fourfold_eigenvalues(pattern);
+  const CGP::Vector<double> masses = CGP::Vector<double>::Ones(60);
+  CGP::Supernodal_cholesky<Q> solver;
+  ASSERT_EQ(solver.analyze(*pattern), CGP::Solver_status::success);
+  ASSERT_EQ(solver.factorize(A, {}), CGP::Solver_status::success);
+  const auto options = options_for(1e-6, 6);
+  for (int seed = 0; seed < 3; ++seed) {
+    const auto x0 = random_block<Q>(60, 8, seed);
+    for (const auto& found : {CGP::Lobpcg_eigensolver_traits()(A, masses, solver, x0, options),
+                              CGP::Slepc_eigensolver_traits()(A, masses, solver, x0, options)}) {
+      EXPECT_TRUE(found.converged);
+      for (int c = 0; c < 6; ++c) EXPECT_NEAR(found.values[c], 1 + c / 4, 1e-10) << seed;
+      EXPECT_NEAR(found.gap.value_or(1), 0, 1e-10);
+    }
+  }
+}
+
 TEST(Slepc_eigensolver_traits, solves_problems_too_small_for_slepc)
 {
   const Pattern pattern = full_pattern(4);
