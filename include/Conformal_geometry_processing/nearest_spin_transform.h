@@ -85,8 +85,8 @@ Points read_points(const TriangleMesh& mesh, PointMap points, const NamedParamet
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{fit}
 ///     \cgalParamDescription{what the search looks for and where it ends: `keep_curvature`,
-///                           `normal_weight`, `distance_tolerance`, `max_period_defect`. The other
-///                           parameters take precedence}
+///                           `normal_weight`, `shear`, `distance_tolerance`,
+///                           `max_period_defect`. The other parameters take precedence}
 ///     \cgalParamType{`Nearest_spin_options`}
 ///     \cgalParamDefault{`Nearest_spin_options()`; with `vertex_scale_map` the curvature is kept}
 ///   \cgalParamNEnd

@@ -46,6 +46,7 @@ struct Fit_options {
   std::string target;
   bool keep_curvature = false;  ///< of the target, whatever the distance
   double normal_weight = 1;     ///< how much the normals of the target count
+  std::optional<double> shear;  ///< how far from conformal the result may be
   double distance_tolerance = Fit_problem().distance_tolerance;
   std::optional<double> scale_bound;  ///< none: the lengths are those of the other surface
   double blend = 0;                   ///< 0 is conformal, 1 nearest to the target
@@ -71,6 +72,11 @@ void add_options(CLI::App& command, Fit_options& fit, Common_options& common)
       ->check(finite)
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
+  advanced(command)
+      .add_option("--shear", fit.shear,
+                  "how far from conformal it may be: the largest closure residual; .0125 is nearer "
+                  "to conformal and farther from the target than the default of .05")
+      ->check(above_zero);
   add_distance_tolerance(command, fit.distance_tolerance);
   add_max_scale(command, fit.scale_bound);
   command
@@ -183,6 +189,7 @@ Fit_solution fit_surface(const Surface_input& input, const CGP::Boundary_conditi
   problem.direction = boundary.direction;
   problem.keep_curvature = options.keep_curvature;
   problem.normal_weight = options.normal_weight;
+  problem.shear = options.shear;
   problem.distance_tolerance = options.distance_tolerance;
   problem.scale_bound = options.scale_bound;
   problem.blend = options.blend;

@@ -13,6 +13,7 @@ Fit_solution solve_fit(const CGP::Mesh_view& mesh, const Fit_problem& problem,
   own.direction = problem.direction;
   own.keep_curvature = problem.keep_curvature;
   own.normal_weight = problem.normal_weight;
+  own.shear = problem.shear;
   own.distance_tolerance = problem.distance_tolerance;
   own.scales.bound = problem.scale_bound;
   if (problem.mollification > 0) own.mollification = problem.mollification;

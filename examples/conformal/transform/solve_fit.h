@@ -18,6 +18,7 @@ struct Fit_problem {
   double blend = 0;                    ///< 0 is conformal, 1 nearest to the target
   bool keep_curvature = false;         ///< that of the target, wherever the surface is then
   double normal_weight = 1;            ///< how much normals count beside positions
+  std::optional<double> shear;         ///< the largest closure residual of the search
   double distance_tolerance = CGP::Nearest_spin_options().distance_tolerance;  ///< search's end
   std::optional<double> scale_bound;  ///< on factors of lengths
   double mollification = 0;           ///< if not 0, on the intrinsic Delaunay triangulation

@@ -24,7 +24,7 @@ class Nearest_result(Spin_result):
 
 
 def nearest(V: Any, target: Any, F: Any, *, blend: float = 0., keep_curvature: bool = False,
-            normal_weight: float = 1., distance_tolerance: float = 1e-4,
+            normal_weight: float = 1., shear: Optional[float] = None, distance_tolerance: float = 1e-4,
             direction: Any = (1, 0, 0), max_scale: Optional[float] = None, vertex_scale: Any = None,
             exactness: Optional[str] = "adjoint", max_period_defect: Optional[float] = None,
             mollification: Optional[float] = None, tolerance: float = 1e-8,
@@ -49,6 +49,8 @@ def nearest(V: Any, target: Any, F: Any, *, blend: float = 0., keep_curvature: b
     normal_weight : float
         how much the normals count beside the positions; with 0, positions come nearer by
         wrinkles, where the target is far from conformal
+    shear : float > 0, optional
+        how far from conformal the result may be: the largest closure residual; by default about .05
     distance_tolerance : float
         the search ends at this distance, relative to the diagonal, and a hundred times as many
         radians between normals: a tenth of a pixel of a picture of 1,000 pixels
@@ -65,7 +67,7 @@ def nearest(V: Any, target: Any, F: Any, *, blend: float = 0., keep_curvature: b
     """
     name = "nearest"
     options = dict(vars(dirac), direction=real(direction, name, "directions"), keep_curvature=keep_curvature,
-                   normal_weight=float(normal_weight),
+                   normal_weight=float(normal_weight), shear=shear,
                    distance_tolerance=float(distance_tolerance), max_scale=max_scale,
                    vertex_scale=real_or_none(vertex_scale, name, "factors"), exactness=exactness,
                    max_period_defect=max_period_defect, mollification=mollification,
