@@ -4,7 +4,7 @@
 import statistics
 
 from page import plot
-from page.tables import extent, percent, table
+from page.tables import extent, grouped, percent, table
 
 COARSE = 300  # faces of a mesh on which a bend is more than a few turned faces
 WAYS = {"curvature": "curvature_", "positions": "positions_", "nearest": ""}
@@ -43,16 +43,31 @@ def quality_table(rows):
         ["factorizations", extent((row["factorizations"] for row in rows), ".0f")]])
 
 
+def trade_off(rows):
+    return [row for row in rows if row.get("table") == "trade_off"]
+
+
+def trade_off_table(rows):
+    return table(["--advanced shear", "Q", "distance, by that of the source"], [
+        [f"{shear:g}", extent((row["Q"] for row in some), ".3f"), extent(row["distance"] for row in some)]
+        for (shear,), some in grouped(rows, "shear").items()])
+
+
 def counted(rows):
-    return [row for row in rows if row["faces"] >= COARSE]
+    return [row for row in rows if row.get("faces", 0) >= COARSE]
 
 
 def blocks(rows):
-    rows = counted(rows)
-    return {"shares": share_table(rows), "quality": quality_table(rows)}
+    fits = counted(rows)
+    return {"shares": share_table(fits), "quality": quality_table(fits),
+            "trade_off": trade_off_table(trade_off(rows))}
 
 
 def figures(rows):
     values = {way: [ratio(row, prefix) for row in counted(rows)] for way, prefix in WAYS.items()}
-    return {"nearest.svg": plot.distributions(values, "distance from the target, by that of the source",
-                                              "How near conformal deformations come", log="")}
+    lines = {mesh: [(row["distance"], plot.error(row["Q"])) for row in some]
+             for (mesh,), some in grouped(trade_off(rows), "mesh").items()}
+    label = "distance from the target, by that of the source"
+    return {"nearest.svg": plot.distributions(values, label, "How near conformal deformations come", log=""),
+            "nearest_trade_off.svg": plot.curves(lines, label, "mean quasi-conformal error, less 1",
+                                                 "Nearer to a twist, or to conformal", log="y")}

@@ -11,6 +11,8 @@
 
 #include <CGAL/number_utils.h>
 
+#include <utility>
+
 namespace Conformal_geometry_processing {
 namespace internal {
 
@@ -105,7 +107,7 @@ Conformal_deformation_options conformal_deformation_options(const Graph_view<Tri
 ///     \cgalParamDescription{the region that may move: where it is 1, the surface follows the
 ///                           targets, where it is 0, it stays, to the bit; between them is the
 ///                           collar, where the deformation fades out. Targets have to be where it
-///                           is 1. The region is connected}
+///                           is 1, in one part of the region; other parts stay}
 ///     \cgalParamType{a model of `ReadablePropertyMap` with the vertex descriptor as key and a
 ///                    number from 0 to 1 as value}
 ///     \cgalParamDefault{none: all vertices may move}
@@ -172,12 +174,12 @@ Spin_report conformal_deformation(TriangleMesh& mesh, const TargetRange& targets
   const Graph_view<TriangleMesh> graph(mesh, np, function);
   Spin_visitor silent;
   auto&& visitor = internal::parameter_or(np, CGAL::internal_np::visitor, silent);
-  internal::Conformal_deformation deformation(
-      graph.view(), internal::conformal_deformation_options(graph, np), function);
-  Spin_result result =
-      deformation.deform(internal::read_control_points(
-                             graph, targets, internal::geometry_traits<TriangleMesh>(np), function),
-                         internal::asking(visitor));
+  const auto points = internal::read_control_points(
+      graph, targets, internal::geometry_traits<TriangleMesh>(np), function);
+  auto options = internal::conformal_deformation_options(graph, np);
+  options.region = internal::weights_at(points, graph.view(), std::move(options.region), function);
+  internal::Conformal_deformation deformation(graph.view(), options, function);
+  Spin_result result = deformation.deform(points, internal::asking(visitor));
   result.report.limits = internal::parameter_or(np, internal_np::limits, result.report.limits);
   if (result.report) internal::write_spin_result(mesh, graph, result, np);
   return result.report;

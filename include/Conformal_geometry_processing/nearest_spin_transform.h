@@ -85,7 +85,7 @@ Points read_points(const TriangleMesh& mesh, PointMap points, const NamedParamet
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{fit}
 ///     \cgalParamDescription{what the search looks for and where it ends: `keep_curvature`,
-///                           `normal_weight`, `distance_tolerance`, `surface`. The other
+///                           `normal_weight`, `shear`, `distance_tolerance`, `surface`. The other
 ///                           parameters take precedence}
 ///     \cgalParamType{`Nearest_spin_options`}
 ///     \cgalParamDefault{`Nearest_spin_options()`; with `vertex_scale_map` the curvature is kept}

@@ -105,6 +105,36 @@ TEST_F(Deform, changes_nothing_outside_of_a_region)
   EXPECT_TRUE(fails(run(command + "-4*y"), 4, "outside of the region"));
 }
 
+TEST_F(Deform, leaves_parts_of_a_region_without_targets_alone)
+{
+  const auto mesh = cgp_test::dumbbell(3);
+  int top;
+  mesh.positions().row(1).maxCoeff(&top);
+  write("a.off", off(mesh));
+  const std::string up =
+      "{\"targets\": [{\"vertex\": " + std::to_string(top) + ", \"move\": [0.2, 0.1, 0]}";
+  write("t.json", up + "]}");
+  const std::string command =
+      "deform a.off --targets t.json -o b.off --json b.json --region-expression '8*abs(y)-2'";
+  const Program_run r = run(command);
+  ASSERT_EQ(r.code, 0) << r.err;
+  EXPECT_NE(r.err.find("has no target"), std::string::npos) << r.err;
+  const Points before = points("a.off"), moved = points("b.off");
+  const double middle = (before.row(1).minCoeff() + before.row(1).maxCoeff()) / 2;
+  const int there = json("b.json")["result"]["region"]["vertices"];
+  int above = 0;
+  for (Eigen::Index v = 0; v < before.cols(); ++v) {
+    EXPECT_TRUE(before(1, v) >= middle || moved.col(v) == before.col(v)) << v;
+    above += before(1, v) > middle;
+  }
+  EXPECT_GT(there, 0);
+  EXPECT_LT(there, above);
+  int bottom;
+  mesh.positions().row(1).minCoeff(&bottom);
+  write("t.json", up + ", {\"vertex\": " + std::to_string(bottom) + ", \"move\": [0, 0, 0]}]}");
+  EXPECT_TRUE(fails(run(command), 4, "2 parts with targets"));
+}
+
 TEST_F(Deform, tells_how_far_it_comes)
 {
   const auto mesh = cgp_test::dumbbell(1);

@@ -97,6 +97,23 @@ TEST_F(Flatten, by_curvature_judges_the_plane_mesh_that_it_writes)
     EXPECT_NEAR(told[what]["max"], written[what]["max"], 1e-9) << what;
 }
 
+// The image is round by symmetry, and by Riemann there is one.
+TEST_F(Flatten, by_curvature_goes_as_many_steps_as_it_takes)
+{
+  write("a.off", off(cap_from_disk(disk(12), 2.4)));  // beyond the equator
+  for (const char* limit : {"", " --limit closure=0.004"}) {
+    const std::string flatten = "flatten a.off --planar --planar-mesh -o b.ply --json b.json";
+    const Program_run r = run(flatten + limit);
+    ASSERT_EQ(r.code, 0) << r.err;
+    const auto result = json("b.json")["result"];
+    EXPECT_LE(result["height"], .05);
+    EXPECT_EQ(result["steps"] > 1, *limit != 0) << result["steps"];
+    EXPECT_LT(deviation_from_disk(points("b.ply"), 12), 0.1) << limit;
+  }
+  write("a.off", off(cap_from_disk(disk(6), 3.1)));  // nearly closed, and too coarse
+  EXPECT_TRUE(fails(run("flatten a.off --planar -o c.ply"), 1, "the mesh is too coarse"));
+}
+
 // The map shrinks a tube exponentially.
 TEST_F(Flatten, counts_faces_that_shrink_to_nothing)
 {

@@ -131,6 +131,25 @@ TEST_F(Flatten_closed, keeps_the_mesh_and_gives_corners_texture_coordinates)
   EXPECT_TRUE(is_disk("c.ply"));
 }
 
+TEST_F(Flatten_closed, finds_how_many_tips_it_needs)
+{
+  write("a.off", off(cgp_test::torus(3, 1, 24, 12)));
+  const auto error = [&](const std::string& options) -> double {
+    EXPECT_EQ(run("flatten a.off -o b.ply --json b.json " + options).code, 0) << options;
+    return json("b.json")["result"]["quasi_conformal"]["mean"];
+  };
+  const double four = error("--cut=4"), eight = error("--cut=8");
+  EXPECT_EQ(error("--cut"), four);
+  EXPECT_EQ(json("b.json")["result"]["tips"], 4);
+  ASSERT_LT(eight, four);
+  const std::string limit = " --limit quasi_conformal=" + std::to_string((four + eight) / 2);
+  EXPECT_EQ(error("--cut" + limit), eight);
+  EXPECT_EQ(json("b.json")["result"]["tips"], 8);
+  EXPECT_TRUE(fails(run("flatten a.off --cut=4 -o c.ply" + limit), 1, "more cuts: --cut=8"));
+  EXPECT_TRUE(fails(run("flatten a.off --cut -o c.ply --limit quasi_conformal=1.0001"), 1,
+                    "64 tips of cuts were tried"));
+}
+
 TEST_F(Flatten_closed, takes_handles_polygons_and_cones)
 {
   write("torus.off", off(cgp_test::torus(3, 1, 24, 12)));

@@ -36,6 +36,24 @@ TEST_F(Split, writes_each_component_in_its_order)
   }
 }
 
+TEST_F(Split, leads_back_to_the_vertices_before)
+{
+  write("a.off", off(cgp_test::interleaved(
+                         {cgp_test::icosphere(1), cgp_test::tetrahedron(), cgp_test::disk(2)})
+                         .mesh));
+  ASSERT_EQ(run("split a.off --min-faces 5 -o b.off --json r.json").code, 0);
+  const auto whole = read_surface(path("a.off"));
+  const auto result = report()["result"];
+  std::size_t next = 0;
+  for (std::size_t p = 0; p < 2; ++p) {  // without the tetrahedron
+    const auto part = read_surface(path(result["files"][p]));
+    ASSERT_EQ(result["vertices"][p], part.points.size());
+    for (const auto& point : part.points)
+      EXPECT_EQ(point, whole.points[result["vertex_before_split"][next++].get<std::size_t>()]);
+  }
+  EXPECT_EQ(result["vertex_before_split"].size(), next);
+}
+
 TEST_F(Split, keeps_properties_corners_and_materials)
 {
   write("a.obj",

@@ -7,7 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "support/Double_solver_traits.h"
 #include "support/bends.h"
@@ -79,6 +81,26 @@ TEST(Nearest_spin_transformation_search, comes_near_to_transformations_of_a_toru
   const Nearest_spin_result found = nearest(mesh, transformed(mesh, .3));
   EXPECT_TRUE(found.report);
   EXPECT_LT(found.distance, .02 * found.source_distance);
+}
+
+TEST(Nearest_spin_transformation_search, stays_the_nearer_to_conformal_the_less_shear_it_may_have)
+{
+  const Mesh_view mesh = beam(8);
+  const Points target = twisted_beam(mesh, pi / 2).positions();
+  std::vector<double> errors, distances;
+  for (const double shear : {.05, .02, .008}) {
+    CGP::Nearest_spin_options options = within(0);
+    options.shear = shear;
+    const Nearest_spin_result r = nearest(mesh, target, options);
+    EXPECT_TRUE(r.report) << shear;
+    EXPECT_LE(r.report.closure_residual, shear);
+    errors.push_back(r.report.conformality.quasi_conformal.mean - 1);
+    distances.push_back(r.distance);
+  }
+  EXPECT_TRUE(std::is_sorted(errors.rbegin(), errors.rend()));
+  EXPECT_TRUE(std::is_sorted(distances.begin(), distances.end()));
+  EXPECT_LT(errors.back(), .5 * errors.front());
+  EXPECT_GT(distances.back(), distances.front());
 }
 
 // The curvature alone misses them by O(h^2).

@@ -133,6 +133,61 @@ TEST(Region_of_interest, knows_nothing_of_what_is_outside)
     EXPECT_TRUE(w[v] == 0 || one.col(v) == other.col(v)) << v;
 }
 
+// 42 to 642 vertices: as many numbers as targets and what holds the collar, or hardly more.
+TEST(Region_of_interest, reaches_targets_on_coarse_limbs)
+{
+  for (const int level : {1, 2, 3}) {
+    const Mesh_view mesh = dumbbell(level);
+    int top;
+    mesh.positions().row(1).maxCoeff(&top);
+    const Eigen::Vector3d target = mesh.position(top) + Eigen::Vector3d(1, .1, -.5);
+    Options options;
+    options.region = mesh.positions().row(1).transpose().cwiseMax(0.).cwiseMin(1.);
+    const CGP::Spin_result r = Deformation(mesh, options).deform({control_point(top, target)});
+    EXPECT_TRUE(r.report) << level << " " << to_string(r.report.fault());
+    EXPECT_EQ(r.report.reached, 1) << level;
+    EXPECT_LT((r.positions.col(top) - target).norm(), 1e-8) << level;
+  }
+}
+
+TEST(Region_of_interest, holds_the_collar_near_to_where_it_is)
+{
+  const Mesh_view mesh = perturbed(icosphere(4), .005);
+  const Eigen::VectorXd w = cap(mesh, .7, -.3);
+  const CGP::Spin_result r = deformed(mesh, w);
+  ASSERT_TRUE(r.report);
+  for (int v = 0; v < mesh.size_of_vertices(); ++v) {
+    const double moved = (r.positions.col(v) - mesh.position(v)).norm();
+    EXPECT_TRUE(w[v] >= .5 || moved < .01) << v << " " << moved;  // the pole moves by .18
+  }
+}
+
+TEST(Region_of_interest, goes_a_share_of_the_way_where_all_is_too_far)
+{
+  const Mesh_view mesh = perturbed(icosphere(3), .01);
+  Options options;
+  options.region = cap(mesh, .9, .8);
+  const int pole = north_pole(mesh);
+  const Eigen::Vector3d way(3, 0, -1);
+  const CGP::Spin_result r =
+      Deformation(mesh, options).deform({control_point(pole, mesh.position(pole) + way)});
+  EXPECT_LT(r.report.reached, 1);
+  EXPECT_EQ(r.report.conformality.flipped_faces, 0);
+  EXPECT_LT((r.positions.col(pole) - mesh.position(pole) - r.report.reached * way).norm(), 1e-8);
+}
+
+TEST(Region_of_interest, is_where_the_targets_are)
+{
+  const Mesh_view mesh = icosphere(3);
+  const Eigen::VectorXd north = cap(mesh, .6, .3), both = north + cap(mesh, -.6, -.3);
+  EXPECT_EQ(CGP::internal::weights_at(pulled(mesh), mesh, both, "test"), north);
+  EXPECT_EQ(CGP::internal::weights_at(pulled(mesh), mesh, {}, "test").size(), 0);
+  EXPECT_THROW((void)CGP::internal::weights_at({}, mesh, both, "test"), CGP::Precondition_error);
+  Options options;
+  options.region = both;
+  EXPECT_THROW(Deformation(mesh, options), CGP::Precondition_error);
+}
+
 TEST(Region_of_interest, follows_a_drag)
 {
   const Mesh_view mesh = icosphere(3);

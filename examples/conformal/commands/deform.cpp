@@ -13,7 +13,11 @@
 #include "conformal/transform/watched.h"
 #include "conformal/transform/write_result.h"
 
+#include <Conformal_geometry_processing/spin/Region_of_interest.h>
+
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace conformal {
 namespace {
@@ -36,7 +40,8 @@ const char* const deform_about =
     "With a region, nothing else changes, to the bit: a formula as that of `conformal fair`, or a\n"
     "vertex property. Where it is 1 or more the surface follows the targets, where it is 0 or "
     "less\n"
-    "it stays, and between them, in the collar, the deformation fades out.\n"
+    "it stays, and between them, in the collar, the deformation fades out. Of a region in several\n"
+    "parts, the one with the targets moves. The collar gives as far as targets need it to.\n"
     "A result that does not verify is not written, and the exit code is 1.\n"
     "Example: conformal deform bear.off --targets lift_a_leg.json -o bear_deformed.ply";
 
@@ -111,6 +116,20 @@ Eigen::VectorXd region_weights(const Surface_input& input, const Deform_options&
       .cwiseMin(1.);
 }
 
+/// of the weights in a region those in the part of it that has the targets
+Eigen::VectorXd moved_region(const Eigen::VectorXd& weights, const CGP::Mesh_view& mesh,
+                             const std::vector<CGP::internal::Control_point>& points,
+                             Session& session)
+{
+  const Eigen::VectorXd moved = CGP::internal::weights_at(points, mesh, weights, "deform");
+  const Eigen::Index stay = (weights.array() != moved.array()).count();
+  session.report().set("result/region/vertices", static_cast<int>((moved.array() > 0).count()));
+  if (stay > 0)
+    session.note(std::to_string(stay) +
+                 " vertices of the region stay, as the part that they are in has no target");
+  return moved;
+}
+
 void deform(const Deform_options& options, Session& session)
 {
   require_writable(session.options().output);
@@ -132,7 +151,9 @@ void deform(const Deform_options& options, Session& session)
     problem.request.surface.scales.bound = options.scale_bound;
     problem.request.surface.mollification = share_of(options.mollification);
     if (options.weight) problem.request.position_weight = *options.weight;
-    if (region.size() > 0) problem.request.region = region(component.vertices);
+    if (region.size() > 0)
+      problem.request.region =
+          moved_region(region(component.vertices), component.input.mesh, problem.points, own);
     const Deformation_solution solution = deform_surface(component.input, problem, options, own);
     surface.set(component, solution.spin);
     surface.rho.values(component.vertices) = unit * solution.rho.values;

@@ -68,6 +68,11 @@ void add_options(CLI::App& command, Fit_options& fit, Common_options& common)
       ->check(finite)
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
+  advanced(command)
+      .add_option("--shear", fit.request.shear,
+                  "how far from conformal it may be: the largest closure residual; .0125 is nearer "
+                  "to conformal and farther from the target than the default of .05")
+      ->check(above_zero);
   add_distance_tolerance(command, fit.request.distance_tolerance);
   add_max_scale(command, fit.request.surface.scales.bound);
   command

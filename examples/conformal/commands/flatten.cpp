@@ -32,6 +32,8 @@ const char* const flatten_about =
     "--cut opens closed surfaces first.\n"
     "Example: conformal flatten face.off -o face.glb --json face.json";
 
+constexpr int least_tips = 4, most_tips = 64;
+
 void add_options(CLI::App& command, Flatten_options& options, Common_options& common)
 {
   add_input(command, options.input);
@@ -46,12 +48,16 @@ void add_options(CLI::App& command, Flatten_options& options, Common_options& co
   command.add_flag("--planar", options.planar, "by curvature, and not by an energy")
       ->excludes(method)
       ->excludes(loops);
-  const auto set_tips = [&options](const std::string& text) { options.cut.tips = std::stoi(text); };
+  const auto set_tips = [&options](const std::string& text) {
+    options.cut.finds_tips = text == "0";
+    options.cut.tips = options.cut.finds_tips ? least_tips : std::stoi(text);
+  };
   command
-      .add_flag("--cut{4}",
-                "cut closed surfaces open, by short cuts through so many tips (--cut=2; default 4) "
-                "and around handles; texture coordinates jump there, and the flat mesh is open")
-      ->check(above_zero)
+      .add_flag("--cut{0}",
+                "cut closed surfaces open, by short cuts through so many tips (--cut=2; default "
+                "the first of 4, 8, ... 64 that verifies) and around handles; texture coordinates "
+                "jump there, and the flat mesh is open")
+      ->check(CLI::NonNegativeNumber)
       ->each(set_tips);
   command
       .add_option("--cones", options.cut.cones,
@@ -151,10 +157,34 @@ Surface_input read_input(const Flatten_options& options, Session& session)
                               : read_bounded_surface(options.input, session);
 }
 
-Cut_surface opened(Surface_input&& input, const Cut_options& options)
+Cut_surface opened(const Surface_input& input, const Cut_options& options)
 {
   if (options.is_cut()) return cut_open(input, options);
-  return {std::move(input), {}};
+  return {input, {}};
+}
+
+/// a surface that is cut where it was closed, and its image
+struct Opened_image {
+  Cut_surface surface;
+  Flat_components flat;
+};
+
+/// With twice as many tips as long as the image does not verify.
+Opened_image open_and_flatten(const Surface_input& input, Flatten_options& options,
+                              Session& session)
+{
+  for (;; options.cut.tips *= 2) {
+    const Outcome before = session.outcome();
+    Cut_surface surface = opened(input, options.cut);
+    try {
+      Flat_components flat = flatten_components(surface.input, options, session);
+      return {std::move(surface), std::move(flat)};
+    } catch (const Failure& failure) {
+      const bool can_go_on = options.cut.finds_tips && options.cut.tips < most_tips;
+      if (failure.code() != Exit_code::failed || !can_go_on) throw;
+      session.outcome() = before;
+    }
+  }
 }
 
 /// the flat mesh, or the one before with the map as texture coordinates
@@ -172,16 +202,17 @@ Surface_file file_of(const Cut_surface& surface, Surface_file&& before, const Fl
   return file;
 }
 
-void flatten(const Flatten_options& options, Session& session)
+void flatten(const Flatten_options& given, Session& session)
 {
+  Flatten_options options = given;
   const std::string& output = session.options().output;
   require_writable(output);
-  Surface_input input = read_input(options, session);
+  const Surface_input input = read_input(options, session);
   Surface_file before = input.file;
-  const Cut_surface surface = opened(std::move(input), options.cut);
+  const auto [surface, flat] = open_and_flatten(input, options, session);
   if (options.planar_mesh && !surface.origin.empty())
     session.report().set("result/vertex_before_cuts", surface.origin);
-  const Flat_components flat = flatten_components(surface.input, options, session);
+  if (options.cut.tips > 0) session.report().set("result/tips", options.cut.tips);
   keep_flat_exhibit(surface.input, with_those_left(surface.input.mesh, flat), session);
   write_mesh(output, file_of(surface, std::move(before), flat, options), session);
   session.end_stage("write");

@@ -27,7 +27,9 @@ const char* const split_about =
     "component,\n"
     "in the order of their first vertices (parts_0000.ply). Vertices and faces keep their order "
     "and\n"
-    "their properties. The mesh may have any defects.\n"
+    "their properties. The mesh may have any defects. JSON has the numbers before of the vertices "
+    "of\n"
+    "all files, one after the other (vertex_before_split), and how many each has (vertices).\n"
     "Example: conformal split scan.ply --min-faces 100 -o parts.ply";
 
 struct Split_options {
@@ -90,6 +92,20 @@ std::vector<std::string> write_parts(const Surface_input& input,
   return paths;
 }
 
+/// where the vertices of the files were, those of one after those of the other
+void tell_vertices(const Surface_input& input, const std::vector<std::vector<int>>& faces,
+                   Report& report)
+{
+  std::vector<int> vertices, sizes;
+  for (const std::vector<int>& own : faces) {
+    const std::vector<int> some = vertices_of(input.file, own);
+    vertices.insert(vertices.end(), some.begin(), some.end());
+    sizes.push_back(static_cast<int>(some.size()));
+  }
+  report.set("result/vertices", Report::Value(sizes));
+  report.set("result/vertex_before_split", Report::Value(vertices));
+}
+
 void note_unreferenced(const Surface_input& input, Session& session)
 {
   if (input.unreferenced > 0)
@@ -112,6 +128,7 @@ void split(const Split_options& options, Session& session)
   note_unreferenced(input, session);
   session.report().set("result/files", Report::Value(write_parts(input, faces, session)));
   session.report().set("result/components", static_cast<int>(faces.size()));
+  tell_vertices(input, faces, session.report());
   session.end_stage("write");
 }
 

@@ -4,6 +4,7 @@
 #include "conformal/io/data/select_rows.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <numeric>
 #include <utility>
 
@@ -42,6 +43,21 @@ void select_vertices(Surface_file& file, const std::vector<int>& kept)
   file.vertices = selected_rows(file.vertices, kept);
 }
 
+std::vector<int> vertices_of(const Surface_file& file, const std::vector<int>& faces)
+{
+  const Polygons& polygons = file.polygons;
+  std::vector<int> vertices;
+  for (const int f : faces) {
+    const auto first = polygons.corners.begin() +
+                       static_cast<std::ptrdiff_t>(polygons.first[static_cast<std::size_t>(f)]);
+    const auto degree = polygons.degree(static_cast<std::size_t>(f));
+    vertices.insert(vertices.end(), first, first + static_cast<std::ptrdiff_t>(degree));
+  }
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  return vertices;
+}
+
 Surface_file part_of(const Surface_file& file, const std::vector<int>& faces)
 {
   Selected_faces selected;
@@ -51,9 +67,7 @@ Surface_file part_of(const Surface_file& file, const std::vector<int>& faces)
     std::iota(corners.begin(), corners.end(), file.polygons.first[at]);
     append(selected, file, f, corners);
   }
-  std::vector<int> vertices = selected.polygons.corners;
-  std::sort(vertices.begin(), vertices.end());
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  const std::vector<int> vertices = vertices_of(file, faces);
   for (int& v : selected.polygons.corners)
     v = static_cast<int>(std::lower_bound(vertices.begin(), vertices.end(), v) - vertices.begin());
   Surface_file part = file;

@@ -26,6 +26,9 @@ void select_faces(Surface_file& file, Selected_faces faces);
 /// Keeps these vertices only, in this order, some perhaps twice; the corners have the old numbers.
 void select_vertices(Surface_file& file, const std::vector<int>& kept);
 
+/// the vertices of some faces, ascending
+std::vector<int> vertices_of(const Surface_file& file, const std::vector<int>& faces);
+
 /// \brief The part of a file that consists of some faces and their vertices. All keep their order,
 /// properties, and values at corners.
 /// \param faces ascending

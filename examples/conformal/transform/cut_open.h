@@ -9,8 +9,9 @@ namespace conformal {
 
 /// where closed surfaces are cut
 struct Cut_options {
-  int tips = 0;            ///< how many are looked for, on each component; 0: it is not cut
-  std::vector<int> cones;  ///< vertices of the file that the cut reaches, in place of tips
+  int tips = 0;             ///< how many are looked for, on each component; 0: it is not cut
+  bool finds_tips = false;  ///< twice as many, where the image does not verify with them
+  std::vector<int> cones;   ///< vertices of the file that the cut reaches, in place of tips
 
   bool is_cut() const { return tips > 0 || !cones.empty(); }
 };

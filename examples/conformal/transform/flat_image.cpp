@@ -3,6 +3,7 @@
 
 #include "flat_distortion.h"
 #include "solve_spin.h"
+#include "unbend.h"
 
 #include "conformal/process/Failure.h"
 #include "conformal/process/interruption.h"
@@ -11,8 +12,6 @@
 #include "conformal/report/solve_flat.h"
 
 #include <Conformal_geometry_processing/mesh/topology.h>
-#include <Conformal_geometry_processing/parameterization/planar_directions.h>
-#include <Conformal_geometry_processing/surfaces/minimal_surface.h>
 
 #include <algorithm>
 #include <string>
@@ -26,6 +25,7 @@ std::string other_ways(const Flatten_options& options)
 {
   if (options.method == Flatten_method::dirac) return "--method spectral";
   if (!options.cut.is_cut()) return "to cut the surface open, or remove slivers";
+  if (options.cut.finds_tips) return "to remove slivers: 4 to 64 tips of cuts were tried";
   const int tips = 2 * std::max(options.cut.tips, static_cast<int>(options.cut.cones.size()));
   return "more cuts: --cut=" + std::to_string(tips) + ", or remove slivers";
 }
@@ -111,16 +111,26 @@ Flat_image spectral_image(const Surface_input& input, const Flatten_options& opt
   return judged(input, CGP::in_space(z), fault_of(report, other_ways(options)), options, session);
 }
 
-void tell_height(const CGP::Points& positions, Report& report)
+std::string fault_of(const Unbent_surface& unbent, const std::string& easier)
 {
-  const Eigen::Vector3d extent = positions.rowwise().maxCoeff() - positions.rowwise().minCoeff();
-  report.tell("result/height", "height by diameter", extent.z() / extent.head<2>().norm(), 3);
+  if (unbent.is_flat()) return {};
+  const std::string state =
+      unbent.steps == 0
+          ? "it does not unbend"
+          : "after " + count_of(static_cast<std::size_t>(unbent.steps), "step") +
+                " its height is still " + text_of(100 * unbent.height, 3) + " % of its diameter";
+  return state +
+         ": farther on edges would not close up, or faces flip, as the mesh is too coarse for how "
+         "much it bends or scales; try: " +
+         easier;
 }
 
 /// The projection to the plane is written, so it is what is judged.
-Flat_image projected(const Surface_input& input, CGP::Spin_result&& nearly_flat,
+Flat_image projected(const Surface_input& input, Unbent_surface&& unbent,
                      const Flatten_options& options, Session& session)
 {
+  CGP::Spin_result& nearly_flat = unbent.result;
+  session.report().tell("result/height", "height by diameter", unbent.height, 3);
   nearly_flat.positions.row(2).setZero();
   const int faces = input.mesh.size_of_faces();
   const Flat_distortion distortion = flat_distortion(input.mesh, nearly_flat.positions);
@@ -128,25 +138,23 @@ Flat_image projected(const Surface_input& input, CGP::Spin_result&& nearly_flat,
   session.report().set("result/collapsed_faces", distortion.collapsed);
   tell_certificate(nearly_flat.report, faces - distortion.collapsed, session.outcome());
   Evidence evidence{nearly_flat.positions, nearly_flat.report};
-  const char* const easier = "conformal flatten without --planar";
-  evidence.fault = fault_of(distortion, faces, easier);
+  const char* const easier = "conformal flatten without --planar, or a finer mesh";
+  evidence.fault = fault_of(unbent, easier);
+  if (evidence.fault.empty()) evidence.fault = fault_of(distortion, faces, easier);
   const Verdict verdict = judge(evidence, options.limits, easier);
   return {std::move(nearly_flat.positions), verdict};
 }
 
-Flat_image minimal_image(const Surface_input& input, const Flatten_options& options,
-                         Session& session)
+Flat_image planar_image(const Surface_input& input, const Flatten_options& options,
+                        Session& session)
 {
   if (!CGP::topology(input.mesh).is_disk())
     throw unsuitable(input.file.path,
                      "the surface is not a disk (one loop, no handles), wanted for --planar; try: "
                      "without --planar");
-  CGP::Spin_transformation_options request{
-      CGP::Boundary_condition::tangents(CGP::planar_directions(input.mesh))};
-  request.dirac = eigenvector_of(session.options());
-  CGP::Spin_result result = CGP::spin_to_minimal_surface(input.mesh, request, "flatten");
-  tell_height(result.positions, session.report());
-  return projected(input, std::move(result), options, session);
+  return projected(
+      input, unbend(input.mesh, eigenvector_of(session.options()), options.limits.closure / 2),
+      options, session);
 }
 
 }  // namespace
@@ -156,7 +164,7 @@ CGP::Points flat_image(const Surface_input& input, const Flatten_options& option
   const char* const methods[] = {"spectral", "dirac"};
   session.report().set("result/method",
                        options.planar ? "planar" : methods[static_cast<int>(options.method)]);
-  const Flat_image image = options.planar ? minimal_image(input, options, session)
+  const Flat_image image = options.planar ? planar_image(input, options, session)
                                           : spectral_image(input, options, session);
   throw_if_interrupted();
   session.end_stage("solve");

@@ -22,6 +22,7 @@ CGP::Nearest_spin_options nearest_options(const py::dict& options, const py::dic
   o.direction = direction_of(options["direction"], function);
   o.keep_curvature = py::cast<bool>(options["keep_curvature"]);
   o.normal_weight = py::cast<double>(options["normal_weight"]);
+  o.shear = py::cast<std::optional<double>>(options["shear"]);
   o.distance_tolerance = py::cast<double>(options["distance_tolerance"]);
   take(options, "max_scale", o.surface.scales.bound);
   take_closing(options, function, o.surface);

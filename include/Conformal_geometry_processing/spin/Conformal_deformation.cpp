@@ -76,7 +76,7 @@ Spin_result Conformal_deformation::deform(const std::vector<Control_point>& give
   const std::vector<Control_point> points = all_points(given);
   require_extent(points);
   Walk walk = search(points, m_visits.guarded(go_further));
-  Spin_result result = walk.result ? std::move(*walk.result) : m_positions->present();
+  Spin_result result = walk.result ? std::move(*walk.result) : present(points, walk.reached);
   m_rho = Curvature_potential::on_vertices(m_positions->scales().spins().rho() /
                                            m_transformation.domain().unit());
   Spin_report& r = result.report;
@@ -89,7 +89,6 @@ Spin_result Conformal_deformation::deform(const std::vector<Control_point>& give
     result.positions.resize(3, 0);
     return result;
   }
-  place(points, result);
   if (m_region) {
     m_rho.values = m_region->in_whole(m_rho.values);
     result.positions = m_region->in_whole(result.positions);
@@ -108,43 +107,46 @@ auto Conformal_deformation::search(const std::vector<Control_point>& points,
     const Eigen::VectorXd no_rho = Eigen::VectorXd::Zero(m_transformation.system().areas().size());
     m_positions = std::make_unique<Relaxed_positions>(
         m_transformation,
-        Relaxed_positions::Problem{points, {}, no_rho, m_options.surface.scales, w * w}, targets);
+        Relaxed_positions::Problem{
+            points, {}, no_rho, m_options.surface.scales, w * w, number_of_anchors()},
+        targets);
     m_initial = m_positions->state();
   }
   m_positions->reset_costs();
-  Walk found = walk(targets, go_further);
+  Walk found = walk(points, go_further);
   if (!has_run || found.reached == 1 || found.is_cancelled) return found;
   m_positions->restart(m_initial);
-  return walk(targets, go_further);
+  return walk(points, go_further);
 }
 
-auto Conformal_deformation::walk(const Points& targets, const Go_further& go_further) -> Walk
+auto Conformal_deformation::walk(const std::vector<Control_point>& points,
+                                 const Go_further& go_further) -> Walk
 {
+  const Points targets = m_transformation.domain().frame().to_frame(targets_of(points));
   const Points from = m_positions->present_points();
   const Alignment a = placement(from, targets);
   const Points to = a.rotation.transpose() * (targets.colwise() - a.translation) / a.scale;
   Walk walk;
   for (double step = 1; walk.reached < 1 && step >= m_options.min_step && !walk.is_cancelled;) {
     const double rest = 1 - walk.reached - step, share = rest < m_options.min_step ? 1 : 1 - rest;
-    if (go_to(from + share * (to - from), walk, go_further))
-      walk.reached = share;
-    else
-      step /= 2;
+    m_positions->set_targets(from + share * (to - from));
+    if (!go_to(points, share, walk, go_further) && !m_positions->loosen()) step /= 2;
   }
   return walk;
 }
 
-bool Conformal_deformation::go_to(const Points& targets, Walk& walk, const Go_further& go_further)
+bool Conformal_deformation::go_to(const std::vector<Control_point>& points, double share,
+                                  Walk& walk, const Go_further& go_further)
 {
   const Relaxed_positions::State before = m_positions->state();
   walk.result.reset();
-  m_positions->set_targets(targets);
   walk.is_cancelled = m_positions->go_on(go_further) == Relaxed_scales::End::cancelled;
   if (walk.is_cancelled) return false;
   if (m_positions->is_met()) {
-    Spin_result there = m_positions->present();
+    Spin_result there = present(points, share);
     if (there.report && there.report.conformality.flipped_faces == 0) {
       walk.result = std::move(there);
+      walk.reached = share;
       ++walk.steps;
       return true;
     }
@@ -162,16 +164,25 @@ void Conformal_deformation::require_extent(const std::vector<Control_point>& poi
     throw Precondition_error(m_function, "the targets are at one place, the points are not");
 }
 
-void Conformal_deformation::place(const std::vector<Control_point>& points,
+Spin_result Conformal_deformation::present(const std::vector<Control_point>& points,
+                                           double share) const
+{
+  Spin_result result = m_positions->present();
+  if (result.positions.cols() > 0) place(points, m_region ? share : 1, result);
+  return result;
+}
+
+void Conformal_deformation::place(const std::vector<Control_point>& points, double share,
                                   Spin_result& result) const
 {
   const Framed_surface& domain = m_transformation.domain();
-  const Eigen::Index anchors =
-      m_region ? static_cast<Eigen::Index>(m_region->anchors().size()) : Eigen::Index{0};
-  const Eigen::Index placed = anchors > 0 ? anchors : static_cast<Eigen::Index>(points.size());
+  const double slack = 1e-10;  // of the squares of distances of anchors: targets are met first
+  Eigen::VectorXd masses = Eigen::VectorXd::Ones(static_cast<Eigen::Index>(points.size()));
+  masses.tail(static_cast<Eigen::Index>(number_of_anchors())).setConstant(slack);
   const Points f = domain.frame().to_frame(result.positions), targets = targets_of(points);
-  const Alignment a = placement(positions_of(points, f).rightCols(placed),
-                                domain.frame().to_frame(targets).rightCols(placed));
+  const Points from = positions_of(points, m_transformation.positions());
+  const Alignment a = placement(positions_of(points, f),
+                                domain.frame().to_frame(from + share * (targets - from)), masses);
   result.positions = domain.frame().from_frame(a.apply(f));
   const Quaternion<double> turn = spin_of(a.rotation, a.scale);
   for (Eigen::Index i = 0; i < result.lambda.size(); ++i)
@@ -183,7 +194,10 @@ void Conformal_deformation::place(const std::vector<Control_point>& points,
   certify(domain.measured(), domain.frame().to_frame(result.positions), result.lambda,
           result.report);
   const Eigen::RowVectorXd distances =
-      (positions_of(points, result.positions) - targets).colwise().norm();
+      (positions_of(points, result.positions) - targets)
+          .leftCols(targets.cols() - static_cast<Eigen::Index>(number_of_anchors()))
+          .colwise()
+          .norm();
   result.report.position_error = {distances.mean(), distances.maxCoeff()};
 }
 

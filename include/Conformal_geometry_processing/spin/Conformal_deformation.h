@@ -9,6 +9,7 @@
 
 #include <Eigen/Core>
 
+#include <cstddef>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -47,9 +48,9 @@ struct Conformal_deformation_options {
 /// lengths are within it, relative to the result without the similarity; the way ends where that
 /// fails.
 ///
-/// With a region, only its faces are deformed, with the anchors of the `Region_of_interest` as
-/// further control points; the result is placed by these, and fades out in the collar. rho is that
-/// of the deformation before it fades out.
+/// With a region, only its faces are deformed, and those of the anchors of the `Region_of_interest`
+/// are held near to where they are, as firmly as the targets can be reached with: the collar gives.
+/// The result fades out in the collar; rho is that of the deformation before.
 ///
 /// `Spin_report::limits` of the result demand that all of the way is made.
 ///
@@ -98,20 +99,25 @@ class Conformal_deformation {
   /// the points on the surface that is transformed, and what holds it
   std::vector<Control_point> all_points(const std::vector<Control_point>& points) const;
 
-  /// \brief goes from the present surface as far as surfaces are good, in steps along straight
-  /// lines.
-  /// \param targets 3 x number of points, in the frame of the transformation
-  Walk walk(const Points& targets, const Go_further& go_further);
+  std::size_t number_of_anchors() const { return m_region ? m_region->anchors().size() : 0; }
 
-  /// \brief goes on to targets at the control points of the next surface
-  /// \returns whether they are met, and the surface can be a result; otherwise all is as it was
-  bool go_to(const Points& targets, Walk& walk, const Go_further& go_further);
+  /// goes from the present surface as far as surfaces are good, in steps along straight lines
+  Walk walk(const std::vector<Control_point>& points, const Go_further& go_further);
+
+  /// \brief goes on to the next surface, a share of the way
+  /// \returns whether targets are met there, and it can be a result; otherwise all is as it was
+  bool go_to(const std::vector<Control_point>& points, double share, Walk& walk,
+             const Go_further& go_further);
 
   /// likewise from the last surface with the same points, or else from the initial one
   Walk search(const std::vector<Control_point>& points, const Go_further& go_further);
 
-  /// moves a surface to the targets by a similarity, fades it out, and measures it there
-  void place(const std::vector<Control_point>& points, Spin_result& result) const;
+  /// the present surface after `place()`
+  Spin_result present(const std::vector<Control_point>& points, double share) const;
+
+  /// \brief moves a surface to the targets by a similarity, and measures it there; with a region,
+  /// to a share of the way to them, and fades it out
+  void place(const std::vector<Control_point>& points, double share, Spin_result& result) const;
 
   std::string m_function;
   Visit_guard m_visits;

@@ -107,6 +107,9 @@ struct Nearest_spin_options {
   /// how much the normals count beside the positions, >= 0, see `internal::Target_mismatch`. With
   /// 0, a target that is far from conformal is approached by wrinkles
   double normal_weight = 1;
+  /// how far from conformal it may be: the largest closure residual of what is found on the way, >
+  /// 0; none: .05 or what the mesh asks for, and with the normal weight 0 the limit of the report
+  std::optional<double> shear = std::nullopt;
   /// the search ends at this distance, relative to the diagonal, and a hundred times as many
   /// radians between normals: a tenth of a pixel of a picture of 1,000 pixels. What is left after
   /// that costs most of the time

@@ -78,7 +78,8 @@ Nearest_spin_result Nearest_spin_transformation::searched(Nearest_spin_result st
   // A bound shears, which is no measure of what the mesh leaves.
   const double of_mesh = m_options.surface.scales.bound ? 0 : start.report.closure_residual;
   const double most_sheared =
-      m_options.normal_weight == 0 ? start.report.limits.closure : (std::max)(shear, 1.5 * of_mesh);
+      m_options.shear.value_or(m_options.normal_weight == 0 ? start.report.limits.closure
+                                                            : (std::max)(shear, 1.5 * of_mesh));
   double factor = 8;
   Nearest_spin_result best = std::move(start);
   Search::State state = search->state();

@@ -88,13 +88,15 @@ Eigen::SparseMatrix<double> loads_of(const std::vector<Control_point>& points,
 
 Position_residual::Position_residual(const Surface_ref& surface,
                                      const Poisson_reconstruction& reconstruction,
-                                     std::vector<Control_point> points, Eigen::VectorXd masses)
+                                     std::vector<Control_point> points, Eigen::VectorXd masses,
+                                     bool has_to_vanish)
     : m_surface(surface),
       m_reconstruction(reconstruction),
       m_points(std::move(points)),
       m_masses(std::move(masses)),
       m_areas(vertex_areas(surface)),
-      m_radius(std::sqrt(m_areas.sum() / (4 * std::acos(-1.))))
+      m_radius(std::sqrt(m_areas.sum() / (4 * std::acos(-1.)))),
+      m_has_to_vanish(has_to_vanish)
 {
   if (m_masses.size() == 0) m_masses.setOnes(static_cast<Eigen::Index>(m_points.size()));
   if (is_few()) m_influences = reconstruction.edge_gradient(loads_of(m_points, m_areas.size()));

@@ -12,6 +12,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace Conformal_geometry_processing::internal {
@@ -63,11 +64,16 @@ class Position_residual : public Spin_residual {
  public:
   /// \param surface, reconstruction must outlive the object
   /// \param masses weights of the squares of distances, one per point; all one if empty
+  /// \param has_to_vanish whether few values are taken off altogether
   Position_residual(const Surface_ref& surface, const Poisson_reconstruction& reconstruction,
-                    std::vector<Control_point> points, Eigen::VectorXd masses = {});
+                    std::vector<Control_point> points, Eigen::VectorXd masses = {},
+                    bool has_to_vanish = true);
 
   /// \param targets 3 x number of points, in the frame
   void set_targets(Points targets);
+
+  /// \param masses one per point
+  void set_masses(Eigen::VectorXd masses) { m_masses = std::move(masses); }
 
   /// \param w the values are multiplied by its root
   void set_weight(double w) { m_weight = w; }
@@ -86,6 +92,7 @@ class Position_residual : public Spin_residual {
   /// Of a few points, for which the constructor solves one Poisson equation each, and keeps |E|
   /// numbers each
   bool is_few() const override { return m_points.size() <= most_few; }
+  bool has_to_vanish() const override { return is_few() && m_has_to_vanish; }
 
   /// \param c weight of what else keeps spins from varying, as that of a `Dirac_misfit`
   void set_stiffness(double c) { m_stiffness = c; }
@@ -110,6 +117,7 @@ class Position_residual : public Spin_residual {
   std::vector<Control_point> m_points;
   Eigen::VectorXd m_masses, m_areas;  // of points; of vertices
   double m_radius;                    // R
+  bool m_has_to_vanish;
   Points m_targets;
   Eigen::Index m_size = 0;
   double m_weight = 1, m_stiffness = 0;

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -33,6 +34,25 @@ inline Mesh_component weighted_part(const Mesh_view& mesh, const Eigen::VectorXd
   return selected_faces(mesh, is_in_part);
 }
 
+Eigen::VectorXd weights_at(const std::vector<Control_point>& points, const Mesh_view& mesh,
+                           Eigen::VectorXd weights, const std::string& function)
+{
+  require_control_points(points, mesh.size_of_vertices(), function);
+  if (weights.size() == 0) return weights;
+  const Mesh_component part = weighted_part(mesh, weights);
+  const std::vector<int> components = connected_components(part.mesh);
+  std::vector<int> component_of(static_cast<std::size_t>(mesh.size_of_vertices()), -1);
+  for (std::size_t k = 0; k < part.vertices.size(); ++k)
+    component_of[static_cast<std::size_t>(part.vertices[k])] = components[k];
+  std::set<int> kept;
+  for (const Control_point& p : points)
+    for (const int v : p.vertices) kept.insert(component_of[static_cast<std::size_t>(v)]);
+  if (*kept.rbegin() < 0) return weights;  // all are outside
+  for (const int v : part.vertices)
+    if (kept.count(component_of[static_cast<std::size_t>(v)]) == 0) weights[v] = 0;
+  return weights;
+}
+
 }  // namespace internal
 
 internal::Region_of_interest::Region_of_interest(const Mesh_view& mesh,
@@ -50,8 +70,9 @@ internal::Region_of_interest::Region_of_interest(const Mesh_view& mesh,
   const std::vector<int> components = connected_components(m_part.mesh);
   const int count = *std::max_element(components.begin(), components.end()) + 1;
   if (count > 1)
-    throw Precondition_error(function, "the region has " + std::to_string(count) +
-                                           " parts that are not connected; deform each alone");
+    throw Precondition_error(function,
+                             "the region has " + std::to_string(count) +
+                                 " parts with targets that are not connected; deform each alone");
   m_weights = weights(m_part.vertices);
   m_shares = m_weights.array().square() * (3 - 2 * m_weights.array());
   m_in_part.assign(static_cast<std::size_t>(mesh.size_of_vertices()), -1);

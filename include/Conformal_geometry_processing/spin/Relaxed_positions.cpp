@@ -7,16 +7,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <optional>
 #include <utility>
 
 namespace Conformal_geometry_processing::internal {
 
-constexpr double met = 1e-9;            // of the distances, by R
-constexpr double less_curved = 10;      // the misfit of sheets, by the default, which asks for less
-                                        // curvature: with no rho wanted, for edges that close up
-constexpr double stiffness = 60;        // of the misfit, by the default: large distances would be
-                                        // met by shear, before rho' grows from nothing
+constexpr double met = 1e-9;        // of the distances, by R
+constexpr double less_curved = 10;  // the misfit of sheets, by the default, which asks for less
+                                    // curvature: with no rho wanted, for edges that close up
+constexpr double stiffness = 60;    // of the misfit, by the default: large distances would be
+                                    // met by shear, before rho' grows from nothing
+constexpr double least_hold = 10;
 constexpr double largest_weight = 1e6;  // of distances by R: leaves little to `meet_few()`, and
                                         // steps need not follow the curve of met targets
 
@@ -27,12 +29,18 @@ inline std::optional<Period_residual> periods_of(Spin_transformation& transforma
   return Period_residual(transformation.system().surface(), *closing);
 }
 
+inline std::vector<Control_point> without_anchors(const Relaxed_positions::Problem& problem)
+{
+  return {problem.points.begin(),
+          problem.points.end() - static_cast<std::ptrdiff_t>(problem.anchors)};
+}
+
 Relaxed_positions::Relaxed_positions(Transformation& transformation, Problem problem,
                                      const Points& targets, const Relaxed_scales_options& options)
     : m_transformation(transformation),
       m_problem(std::move(problem)),
       m_positions(transformation.system().surface(), transformation.reconstruction(),
-                  m_problem.points, m_problem.masses),
+                  without_anchors(m_problem), m_problem.masses),
       m_periods(periods_of(transformation)),
       m_scales(transformation.system(), m_problem.rho, m_problem.scales, residuals(),
                completed(options))
@@ -44,9 +52,33 @@ Relaxed_positions::Relaxed_positions(Transformation& transformation, Problem pro
 
 Spin_residuals Relaxed_positions::residuals()
 {
-  Spin_residuals all = {&m_positions};
+  if (m_problem.anchors > 0)
+    m_anchors.emplace(m_transformation.system().surface(), m_transformation.reconstruction(),
+                      m_problem.points, anchor_masses(), false);
+  Spin_residuals all;
+  if (!m_anchors || is_exact()) all.push_back(&m_positions);
   if (m_periods) all.push_back(&*m_periods);
+  if (m_anchors) all.push_back(&*m_anchors);
   return all;
+}
+
+// Under the one similarity of all points, those that are no anchors are firm.
+Eigen::VectorXd Relaxed_positions::anchor_masses() const
+{
+  const double firmness = 10;
+  const auto anchors = static_cast<Eigen::Index>(m_problem.anchors);
+  Eigen::VectorXd masses = Eigen::VectorXd::Constant(
+      static_cast<Eigen::Index>(m_problem.points.size()), m_hold / static_cast<double>(anchors));
+  masses.head(masses.size() - anchors).setConstant((std::min)(firmness * m_hold, m_problem.weight));
+  return masses;
+}
+
+bool Relaxed_positions::loosen()
+{
+  if (!m_anchors || m_hold <= least_hold) return false;
+  m_hold /= 10;
+  m_anchors->set_masses(anchor_masses());
+  return true;
 }
 
 Relaxed_scales_options Relaxed_positions::completed(Relaxed_scales_options options)
@@ -60,7 +92,9 @@ Relaxed_scales_options Relaxed_positions::completed(Relaxed_scales_options optio
 
 void Relaxed_positions::set_targets(const Points& targets)
 {
-  m_positions.set_targets(targets);
+  m_positions.set_targets(
+      targets.leftCols(targets.cols() - static_cast<Eigen::Index>(m_problem.anchors)));
+  if (m_anchors) m_anchors->set_targets(targets);
   if (!is_exact()) return;
   m_positions.set_spins(m_scales.spins().lambda());
   const double d = m_positions.distance();

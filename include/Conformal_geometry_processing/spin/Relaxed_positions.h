@@ -12,6 +12,7 @@
 
 #include <Eigen/Core>
 
+#include <cstddef>
 #include <limits>
 #include <optional>
 #include <vector>
@@ -40,6 +41,7 @@ class Relaxed_positions {
     Scale_control scales;
     /// of the sum of the squares of distances by R; infinity: they have to vanish
     double weight = std::numeric_limits<double>::infinity();
+    std::size_t anchors = 0;  ///< so many of the last points are near to their targets, not there
   };
 
   /// \param transformation must outlive the object
@@ -53,6 +55,10 @@ class Relaxed_positions {
 
   /// \param targets 3 x number of points, in the frame of the transformation
   void set_targets(const Points& targets);
+
+  /// \brief lets anchors go farther, for what cannot be reached otherwise.
+  /// \returns false if they hardly hold anything any more
+  bool loosen();
 
   /// \param weight see `Problem::weight`
   void set_weight(double weight);
@@ -83,6 +89,7 @@ class Relaxed_positions {
  private:
   bool is_exact() const { return m_problem.weight == std::numeric_limits<double>::infinity(); }
   Spin_residuals residuals();
+  Eigen::VectorXd anchor_masses() const;
   Relaxed_scales_options completed(Relaxed_scales_options options);
 
   /// adapts the weights of what has to vanish \returns whether it does
@@ -90,9 +97,10 @@ class Relaxed_positions {
 
   Transformation& m_transformation;
   Problem m_problem;
-  Position_residual m_positions;
+  Position_residual m_positions;               // of the points without anchors
+  std::optional<Position_residual> m_anchors;  // of all points, if there are anchors
   std::optional<Period_residual> m_periods;
-  double m_weight = 1;
+  double m_weight = 1, m_hold = 1e6;
   Relaxed_scales m_scales;
 };
 

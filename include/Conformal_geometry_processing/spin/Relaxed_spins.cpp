@@ -294,7 +294,8 @@ auto Relaxed_spins::advance(const std::function<bool()>& go_further, const Unkno
 void Relaxed_spins::meet_few(bool is_anew)
 {
   if (is_anew) linearize();
-  const Spins y = m_preconditioner.correction(values_at(m_lambda, few_of(m_residuals)), m_costs);
+  const Spins y =
+      m_preconditioner.correction(values_at(m_lambda, vanishing_of(m_residuals)), m_costs);
   if (!is_far_from_zero(m_lambda - y)) return;
   m_preconditioner.moved(relative_size(y, m_lambda, m_system.areas()));
   m_lambda = m_gauge.normalized(m_lambda - y);

@@ -128,9 +128,10 @@ auto Spin_preconditioner::correction(const Eigen::VectorXd& values, Relaxed_cost
 {
   if (leaves_few()) return iterated_correction(values, costs);
   const double least = 1e-9;  // of the largest
-  Eigen::MatrixXd squares = m_few_products.transpose() * m_few_products;
+  const auto products = m_few_products.topRows(values.size());
+  Eigen::MatrixXd squares = products.transpose() * products;
   squares.diagonal().array() += least * squares.diagonal().maxCoeff();
-  const Eigen::VectorXd c = squares.ldlt().solve(m_few_products.transpose() * values);
+  const Eigen::VectorXd c = squares.ldlt().solve(products.transpose() * values);
   return real_combination(m_few_changes, c).col(0);
 }
 

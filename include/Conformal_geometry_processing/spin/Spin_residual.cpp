@@ -24,12 +24,12 @@ Eigen::VectorXd values_at(const Spin_residual::Spins& lambda, const Spin_residua
   return all;
 }
 
-Spin_residuals few_of(const Spin_residuals& residuals)
+Spin_residuals vanishing_of(const Spin_residuals& residuals)
 {
-  Spin_residuals few;
+  Spin_residuals some;
   for (Spin_residual* r : residuals)
-    if (r->is_few()) few.push_back(r);
-  return few;
+    if (r->has_to_vanish()) some.push_back(r);
+  return some;
 }
 
 Eigen::Index number_of_values(const Spin_residuals& residuals)

@@ -43,6 +43,9 @@ class Spin_residual {
   /// one by one.
   virtual bool is_few() const { return false; }
 
+  /// whether `Relaxed_spins::meet_few()` takes the values off; those of which it does come first
+  virtual bool has_to_vanish() const { return is_few(); }
+
   /// \brief up to how many few values preconditioners do that; more cost products of all with all,
   /// and are left to the iterations where these find them soon.
   virtual Eigen::Index most_one_by_one() const
@@ -56,8 +59,8 @@ using Spin_residuals = std::vector<Spin_residual*>;
 /// adopts the spins for all, and returns the values of one after the other
 Eigen::VectorXd values_at(const Spin_residual::Spins& lambda, const Spin_residuals& residuals);
 
-/// those with `is_few()`
-Spin_residuals few_of(const Spin_residuals& residuals);
+/// those with `has_to_vanish()`
+Spin_residuals vanishing_of(const Spin_residuals& residuals);
 
 /// of all together
 Eigen::Index number_of_values(const Spin_residuals& residuals);

@@ -25,9 +25,9 @@ class Nearest_result(Spin_result):
 
 
 def nearest(V: Points, target: Points, F: Faces, *, blend: float = 0., keep_curvature: bool = False,
-            normal_weight: float = 1., distance_tolerance: float = 1e-4,
-            direction: Vector = (1, 0, 0), max_scale: Optional[float] = None,
-            vertex_scale: Optional[Vertex_values] = None,
+            normal_weight: float = 1., shear: Optional[float] = None,
+            distance_tolerance: float = 1e-4, direction: Vector = (1, 0, 0),
+            max_scale: Optional[float] = None, vertex_scale: Optional[Vertex_values] = None,
             exactness: Optional[str] = "adjoint", max_period_defect: Optional[float] = None,
             mollification: Optional[float] = None, tolerance: float = 1e-8,
             max_iterations: int = 200, random_seed: int = 0,
@@ -51,6 +51,8 @@ def nearest(V: Points, target: Points, F: Faces, *, blend: float = 0., keep_curv
     normal_weight : float
         how much the normals count beside the positions; with 0, positions come nearer by
         wrinkles, where the target is far from conformal
+    shear : float > 0, optional
+        how far from conformal the result may be: the largest closure residual; by default about .05
     distance_tolerance : float
         the search ends at this distance, relative to the diagonal, and a hundred times as many
         radians between normals: a tenth of a pixel of a picture of 1,000 pixels
@@ -67,7 +69,7 @@ def nearest(V: Points, target: Points, F: Faces, *, blend: float = 0., keep_curv
     """
     name = "nearest"
     options = dict(vars(dirac), direction=real(direction, name, "directions"), keep_curvature=keep_curvature,
-                   normal_weight=float(normal_weight),
+                   normal_weight=float(normal_weight), shear=shear,
                    distance_tolerance=float(distance_tolerance), max_scale=max_scale,
                    vertex_scale=real_or_none(vertex_scale, name, "factors"), exactness=exactness,
                    max_period_defect=max_period_defect, mollification=mollification,
