@@ -5,11 +5,13 @@
 /// mesh: for the initial surface, and for the result of each method.
 ///
 /// Usage: benchmark_fairing [--write FOLDER] MESH.off...
+///        benchmark_fairing --against RESULT.off MESH.off
 ///        benchmark_fairing --check
 ///
 /// Meshes are closed and have the area 4 pi. The processor time is that of the flow of this library
-/// with time step 1 until its energy settles, at most twenty steps. With --check the methods are
-/// compared with known results in closed form.
+/// with time step 1 until its energy settles, at most twenty steps. With --against, a result on the
+/// same faces is compared with the flows that go to the conformal map to the sphere. With --check
+/// the methods are compared with known results in closed form.
 #include <Conformal_geometry_processing/measure/Conformality.h>
 #include <Conformal_geometry_processing/measure/energies.h>
 
@@ -22,6 +24,7 @@
 #include <string>
 
 #include "fairing/Method.h"
+#include "fairing/Opponent.h"
 #include "fairing/search_step.h"
 #include "support/Record.h"
 #include "support/clock.h"
@@ -142,6 +145,10 @@ int main(int argc, char* argv[])
   try {
     if (argc == 2 && std::string(argv[1]) == "--check")
       return check_methods() ? EXIT_SUCCESS : EXIT_FAILURE;
+    if (argc == 4 && std::string(argv[1]) == "--against") {
+      compare_with_opponents(argv[3], argv[2]);
+      return EXIT_SUCCESS;
+    }
     const bool writes = argc > 2 && std::string(argv[1]) == "--write";
     for (int i = writes ? 3 : 1; i < argc; ++i) Comparison(argv[i], writes ? argv[2] : "").run();
     return EXIT_SUCCESS;

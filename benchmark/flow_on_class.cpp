@@ -1,17 +1,12 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 
-/// Compares the flow on the exact conformal class with the modified mean curvature flow [KSBC12] on
-/// the same connectivity, and its steps with the yardstick P, one scalar Poisson problem by CHOLMOD
-/// on that mesh. Prints a line of JSON for each mesh.
+/// Compares the steps of the flow on the exact conformal class with the yardstick P, one scalar
+/// Poisson problem by CHOLMOD on the same mesh. Prints a line of JSON for each mesh.
 ///
 /// Usage: benchmark_flow_on_class MESH.off...
 ///
-/// Meshes are closed and have the area 4 pi. Times are seconds of the processor. The modified mean
-/// curvature flow goes to spheres only: it runs on meshes of genus 0, to its end.
+/// Meshes are closed and have the area 4 pi. Times are seconds of the processor.
 #include <Conformal_geometry_processing/flow/Conformal_willmore_flow.h>
-#include <Conformal_geometry_processing/measure/Conformality.h>
-#include <Conformal_geometry_processing/measure/energies.h>
-#include <Conformal_geometry_processing/mesh/topology.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -20,8 +15,6 @@
 #include <string>
 #include <vector>
 
-#include "fairing/modified_mean_curvature.h"
-#include "fairing/unit_frame.h"
 #include "support/Cholmod_poisson.h"
 #include "support/Record.h"
 #include "support/clock.h"
@@ -32,9 +25,6 @@ namespace {
 using namespace cgp_benchmark;
 
 const int flow_steps = 20;
-const double mean_curvature_step = .1;
-const int mean_curvature_steps = 400;  // at most
-const double arrived = 1e-6;           // of the radius: no vertex moves further
 
 /// the seconds of every step, and how far it is from the class
 struct Recorder : CGP::Flow_visitor {
@@ -89,38 +79,13 @@ void run_flow(const CGP::Mesh_view& mesh, Record& record)
   add_steps(recorder.seconds, P, record);
 }
 
-/// the surface at which the flow arrives
-CGP::Points mean_curvature_limit(const CGP::Mesh_view& mesh)
-{
-  Modified_mean_curvature flow(mesh, mean_curvature_step);
-  for (int step = 0; step < mean_curvature_steps; ++step) {
-    const CGP::Points before = flow.mesh().positions();
-    flow.step();
-    flow.set_positions(positions_in_unit_frame(flow.mesh()));
-    if ((flow.mesh().positions() - before).cwiseAbs().maxCoeff() < arrived) break;
-  }
-  return flow.mesh().positions();
-}
-
-void run_mean_curvature(const CGP::Mesh_view& mesh, Record& record)
-{
-  const CGP::Points positions = mean_curvature_limit(mesh);
-  const CGP::Conformality map =
-      CGP::conformality(mesh, positions, CGP::neighbourhood_normals(mesh, positions));
-  record.add("energy", CGP::willmore_energy(CGP::Mesh_view(positions, mesh.corners())));
-  record.add("q_mean", map.quasi_conformal.mean).add("q_max", map.quasi_conformal.max);
-  record.add("cmcf_cross_ratio", map.length_cross_ratio.max).add("flips", map.flipped_faces);
-}
-
-void compare(const std::string& path)
+void measure(const std::string& path)
 {
   const CGP::Mesh_view mesh = make_mesh(path);
   const std::string name = path.substr(path.rfind('/') + 1);
   Record record;
   record.add("mesh", name.substr(0, name.rfind('.')));
   run_flow(mesh, record);
-  if (CGP::topology(mesh).is_sphere())
-    run_mean_curvature(CGP::internal::simple_delaunay(mesh), record);
   record.print();
 }
 
@@ -129,7 +94,7 @@ void compare(const std::string& path)
 int main(int argc, char* argv[])
 {
   try {
-    for (int i = 1; i < argc; ++i) compare(argv[i]);
+    for (int i = 1; i < argc; ++i) measure(argv[i]);
     return EXIT_SUCCESS;
   } catch (const std::exception& error) {
     std::cerr << "benchmark_flow_on_class: " << error.what() << '\n';

@@ -21,19 +21,18 @@ struct Method {
 ///
 /// The thesis' flows of positions shrink; the measures are scale-invariant, and scaling keeps the
 /// meaning of time.
-/// same throughout.
 template <class Flow>
-void run_steps(const CGP::Mesh_view& mesh, double time_step, Race& race)
+void run_steps(const CGP::Mesh_view& mesh, double time_step, Surface_observer& observer)
 {
   Flow flow(mesh, time_step);
   do {
     flow.step();
     flow.set_positions(positions_in_unit_frame(flow.mesh()));
-  } while (race(flow.mesh().positions()));
+  } while (observer(flow.mesh().positions()));
 }
 
 /// (M + tau / 2 L_0) f' = M f as CGAL has it
-void run_smooth_shape(const CGP::Mesh_view& mesh, double time_step, Race& race);
+void run_smooth_shape(const CGP::Mesh_view& mesh, double time_step, Surface_observer& observer);
 
 /// with the time step given, or half of it where that is too large
 void run_conformal_willmore(const CGP::Mesh_view& mesh, double time_step, Race& race);

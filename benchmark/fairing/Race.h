@@ -29,19 +29,27 @@ struct Run {
   double energy() const { return curve.empty() ? HUGE_VAL : curve.back().energy; }
 };
 
+/// takes the surfaces of a method one by one
+class Surface_observer {
+ public:
+  virtual ~Surface_observer() = default;
+
+  /// takes the surface after a step
+  /// \returns whether to go on
+  virtual bool operator()(const CGP::Points& positions) = 0;
+};
+
 /// \brief Observes a method step by step, and stops it when its time is over.
 ///
 /// The clock starts at construction, so that setup counts, and is paused while the surface is
 /// measured: after every step, or a hundred times if there are more. A step that ends too late does
 /// not count. A run is *stable* if every number is finite, every system was solved, and the
 /// Willmore energy never exceeds the minimum so far by more than 1 %.
-class Race {
+class Race : public Surface_observer {
  public:
   Race(const CGP::Mesh_view& mesh, double seconds, int max_steps);
 
-  /// takes the surface after a step
-  /// \returns whether to go on
-  bool operator()(const CGP::Points& positions);
+  bool operator()(const CGP::Points& positions) override;
 
   /// Records why there is no further step, as a failure
   bool fail(std::string why)

@@ -22,10 +22,10 @@ namespace {
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 
 /// thrown through `smooth_shape()`, which has no other way to be stopped
-struct Race_is_over {};
+struct Is_over {};
 
 /// \brief A model of CGAL's `SparseLinearAlgebraWithFactorTraits_d` that passes the surface of the
-/// previous step to the race before each factorization except the first.
+/// previous step to an observer before each factorization except the first.
 ///
 /// Copies share their state.
 class Watched_cholesky {
@@ -42,7 +42,7 @@ class Watched_cholesky {
 
   bool factor(const Matrix& A, NT& denominator)
   {
-    if (!m_is_first && !m_on_step()) throw Race_is_over();
+    if (!m_is_first && !m_on_step()) throw Is_over();
     m_is_first = false;
     denominator = 1;
     // The lower triangles of its columns have our pattern, in the same order.
@@ -93,16 +93,16 @@ CGP::Points positions(const Mesh& mesh)
 }  // namespace
 
 // Its matrix is M / 2 + 2 t L, so its t is tau / 8. After each step it scales to the volume before.
-void run_smooth_shape(const CGP::Mesh_view& view, double time_step, Race& race)
+void run_smooth_shape(const CGP::Mesh_view& view, double time_step, Surface_observer& observer)
 {
   Mesh mesh = surface_mesh(view);
-  const Watched_cholesky solver(view, [&] { return race(positions(mesh)); });
+  const Watched_cholesky solver(view, [&] { return observer(positions(mesh)); });
   try {
     CGAL::Polygon_mesh_processing::smooth_shape(
         mesh, time_step / 8,
         CGAL::parameters::number_of_iterations(std::numeric_limits<unsigned>::max())
             .sparse_linear_solver(solver));
-  } catch (const Race_is_over&) {
+  } catch (const Is_over&) {
   }
 }
 

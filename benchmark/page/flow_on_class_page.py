@@ -4,9 +4,12 @@
 import math
 
 from page import plot
-from page.tables import table
+from page.tables import count, table
 
 SPHERE = 4 * math.pi
+OPPONENTS = {"cMCF": "cMCF", "smooth_shape": "smooth_shape of CGAL"}
+GROUPS = {"CGAL": "CGAL's data", "slivers": "slivers"}
+LAW = 0.95  # no opponent has less of both energy and Q than so much of ours
 
 
 def of_table(rows, name):
@@ -18,22 +21,75 @@ def exact(rows):
 
 
 def flow_table(rows):
-    """Of the flow on the class, a row a mesh; its energy beside those of the flow of the thesis and of cMCF."""
+    """Of the flow on the class, a row a mesh; its energy beside that of the flow of the thesis."""
     plain = {row["mesh"]: row for row in of_table(rows, "flow") if row["flow"] == "plain"}
-    cmcf = {row["mesh"]: row for row in of_table(rows, "cost") if "q_mean" in row}
     lines = []
     for mesh, row in exact(rows).items():
-        other = cmcf.get(mesh)
         lines.append([mesh, str(row["genus"]), f"{row['energy_before']:.3f}", f"{row['energy']:.4f}",
-                      f"{plain[mesh]['energy']:.3f}", f"{other['energy'] / SPHERE:.4f}" if other else "",
-                      f"{row['q_mean']:.4f}", f"{other['q_mean']:.4f}" if other else "",
+                      f"{plain[mesh]['energy']:.3f}", f"{row['q_mean']:.4f}",
                       f"{row['cross_ratio']:.1e}", "yes" if not row["outcome"].startswith("exit") else "no"])
-    return table(["mesh", "genus", "E before", "E", "plain", "cMCF", "Q mean", "cMCF", "cross-ratios", "verified"],
+    return table(["mesh", "genus", "E before", "E", "plain", "Q mean", "cross-ratios", "verified"],
                  lines)
 
 
+def duels(rows):
+    """mesh -> method -> row, of meshes with a result."""
+    found = {}
+    for row in of_table(rows, "faces"):
+        if row.get("q_mean"):
+            found.setdefault(row["mesh"], {})[row["method"]] = row
+    return found
+
+
+def by(row, ours):
+    """At most so much of ours that another one has of both."""
+    return max(row["energy"] / ours["energy"], row["q_mean"] / ours["q_mean"])
+
+
+def keeps_law(duel):
+    return all(by(duel[name], duel["flow"]) >= LAW for name in OPPONENTS if name in duel)
+
+
+def median(values):
+    values = sorted(values)
+    return values[len(values) // 2]
+
+
+def group_table(rows):
+    lines = []
+    for group, name in GROUPS.items():
+        some = [duel for duel in duels(rows).values() if duel["flow"]["group"] == group]
+        ours = [duel["flow"] for duel in some]
+        if not some:
+            continue
+        spheres = [duel for duel in some if duel["flow"]["genus"] == 0]
+        lines.append([name, str(len(some)), str(count(some, keeps_law)), str(count(ours, lambda row: row["code"] == 0)),
+                      *(f"{median([duel[method][key] / unit for duel in spheres if method in duel]):.3f}"
+                        for key, unit in (("energy", SPHERE), ("q_mean", 1)) for method in ("flow", "cMCF")),
+                      *(str(sum(row["flips"] for row in part))
+                        for part in (ours, [duel["cMCF"] for duel in some if "cMCF" in duel]))])
+    return table(["meshes", "number", "law kept", "exit 0", "genus 0: E", "cMCF", "Q mean", "cMCF", "flips", "cMCF"],
+                 lines)
+
+
+def cells(row):
+    if row is None:
+        return ["", ""]
+    return [f"{row['energy'] / SPHERE:.3f}", f"{row['q_mean']:.3f}, {row['q_max']:.3g}, {row['flips']}"]
+
+
+def broken_table(rows):
+    """Of the meshes where an opponent is better in both."""
+    methods = ("flow", *OPPONENTS)
+    lines = [[mesh, str(duel["flow"]["genus"]), f"{duel['before']['energy'] / SPHERE:.2f}",
+              *(cell for method in methods for cell in cells(duel.get(method))), duel["flow"]["reason"].split(" (")[0]]
+             for mesh, duel in duels(rows).items() if not keeps_law(duel)]
+    heads = [part for method in methods for part in (f"E, {method}", "Q mean, max, flips")]
+    return table(["mesh", "genus", "E before", *heads, "the flow stopped by"], lines) if lines else "None."
+
+
 def blocks(rows):
-    return {"flows": flow_table(rows)}
+    return {"flows": flow_table(rows), "groups": group_table(rows), "broken": broken_table(rows)}
 
 
 def costs(rows):
@@ -47,6 +103,13 @@ def figures(rows):
     kept = {row["mesh"]: {} for row in of_table(rows, "flow")}
     for row in of_table(rows, "flow"):
         kept[row["mesh"]][{"exact": "on the class", "plain": "as in the thesis"}[row["flow"]]] = row["cross_ratio"]
-    return {"flow_on_class_ratios.svg": plot.dots(
+    nearest = {f"{name}, {GROUPS[group]}": [by(duel[method], duel["flow"]) for duel in duels(rows).values()
+                                            if method in duel and duel["flow"]["group"] == group]
+               for method, name in OPPONENTS.items() for group in GROUPS}
+    return {"flow_on_class_opponents.svg": plot.distributions(
+                {name: [min(value, 10) for value in some] for name, some in nearest.items()},
+                "larger of E and Q by those of the flow, where that is least; 10 or more",
+                "How near others come", what="meshes"),
+            "flow_on_class_ratios.svg": plot.dots(
                 kept, "largest change of log cross-ratios", "How well the class is kept"),
             "flow_on_class_costs.svg": plot.dots(costs(rows), "multiples of P", "What a step costs")}

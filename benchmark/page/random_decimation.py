@@ -8,7 +8,8 @@ from collections import defaultdict
 
 from page.loop_subdivision import read_off, write_off
 
-GREATEST_TURN = math.cos(math.radians(20))  # from the normals of the surface to that of a face
+REFUSALS = 8  # in a row, for each vertex that is left
+GREATEST_TURN = 20  # degrees, from the normals of the surface to that of a face
 
 
 def area_vector(a, b, c):
@@ -30,8 +31,9 @@ def least_cosine(triangle):
 class Decimation:
     """A mesh whose edges collapse into one of their ends."""
 
-    def __init__(self, points, faces, greatest_angle):
+    def __init__(self, points, faces, greatest_angle, greatest_turn):
         self.least_cosine = math.cos(math.radians(greatest_angle))
+        self.turn = math.cos(math.radians(greatest_turn))
         self.points, self.faces = points, {f: list(face) for f, face in enumerate(faces)}
         self.around = defaultdict(set)
         self.normals = defaultdict(lambda: [0, 0, 0])  # at the vertices, of the surface before
@@ -54,7 +56,7 @@ class Decimation:
             normal = area_vector(*triangle)
             if least_cosine(triangle) < self.least_cosine:
                 return False
-            if min(cosine(normal, self.normals[w]) for w in corners) < GREATEST_TURN:
+            if min(cosine(normal, self.normals[w]) for w in corners) < self.turn:
                 return False
         return True
 
@@ -74,15 +76,18 @@ class Decimation:
                 [tuple(number[v] for v in self.faces[f]) for f in sorted(self.faces)])
 
 
-def decimated(points, faces, wanted, greatest_angle=180, seed=1):
-    """So many faces, none with a greater angle in degrees; the same for the same seed."""
-    chance, mesh = random.Random(seed), Decimation(points, faces, greatest_angle)
-    vertices = list(range(len(points)))
-    while len(mesh.faces) > wanted:
+def decimated(points, faces, wanted, greatest_angle=180, seed=1, greatest_turn=GREATEST_TURN):
+    """So many faces, or the least that can be found, none with a greater angle in degrees; the same for the same
+    seed."""
+    chance, mesh = random.Random(seed), Decimation(points, faces, greatest_angle, greatest_turn)
+    vertices, refused = list(range(len(points))), 0
+    while len(mesh.faces) > wanted and refused < REFUSALS * len(vertices):
         i = chance.randrange(len(vertices))
         v = vertices[i]
         u = chance.choice(sorted(mesh.neighbours(v)))
+        refused += 1
         if mesh.may_collapse(v, u):
+            refused = 0
             mesh.collapse(v, u)
             vertices[i] = vertices[-1]
             vertices.pop()

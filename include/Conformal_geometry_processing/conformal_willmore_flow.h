@@ -29,6 +29,8 @@ Flow_options flow_options(const NamedParameters& np)
       choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations), o.max_steps));
   o.energy_tolerance =
       choose_parameter(get_parameter(np, internal_np::tolerance), o.energy_tolerance);
+  if constexpr (has_parameter<NamedParameters, internal_np::scale_bound_t>)
+    o.scale_bound = get_parameter(np, internal_np::scale_bound);
   read_exactness_and_mollification(np, o);
   const Filter_options filter =
       parameter_or(np, internal_np::filter, Filter_options{o.filter_weight, o.filter_order});
@@ -77,7 +79,7 @@ Flow_result flow_result(const Graph_view<TriangleMesh>& graph, const NamedParame
           internal_np::sparse_solver_t, internal_np::dirac_t, internal_np::time_step_t,
           internal_np::tolerance_t, internal_np::filter_t, internal_np::balance_t,
           internal_np::vertex_target_area_map_t, internal_np::exactness_t,
-          internal_np::exact_conformal_class_t, internal_np::fairing_t,
+          internal_np::exact_conformal_class_t, internal_np::fairing_t, internal_np::scale_bound_t,
           internal_np::mollification_t, internal_np::curvature_direction_t,
           internal_np::boundary_direction_t, internal_np::boundary_direction_map_t>,
       "conformal_willmore_flow(): unknown named parameter, see the manual for those it accepts");
@@ -183,6 +185,13 @@ Flow_result flow_result(const Graph_view<TriangleMesh>& graph, const NamedParame
 ///                           without effect with a filter, or a direction that has no energy}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`true`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{scale_bound}
+///     \cgalParamDescription{the largest factor by which lengths may differ from those of the
+///                           input, on 98 % of the area: limbs, and what is behind a thin neck,
+///                           become no smaller}
+///     \cgalParamType{`double`, above 1, or `std::nullopt` for no bound}
+///     \cgalParamDefault{none}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{exactness}
 ///     \cgalParamDescription{how surfaces are kept closed around handles and holes}

@@ -282,6 +282,11 @@ TEST_F(Flow, notes_how_much_has_become_small)
   write("a.off", off(dumbbell));
   const Program_run r = run("flow a.off --steps 20 -o b.off");
   EXPECT_NE(r.err.find(" % of the area has shrunk below a tenth"), std::string::npos) << r.err;
+  const Program_run kept = run("flow a.off --steps 20 --max-scale 3 -o b.off --json b.json");
+  EXPECT_EQ(kept.err.find("shrunk"), std::string::npos) << kept.err;
+  const auto scales = json("b.json")["result"]["scale_control"];
+  EXPECT_GE(scales["low"], .999 / 3);
+  EXPECT_LE(scales["high"], 3.001);
   write("a.off", off(cgp_test::bumpy_sphere(3)));
   EXPECT_EQ(run("flow a.off --steps 3 -o b.off").err.find("shrunk"), std::string::npos);
 }
@@ -327,7 +332,7 @@ TEST_F(Flow, nonsense_is_refused)
        {"--steps 0", "--steps -3", "--steps 2 --time-step 0", "--time-step 2.1",
         "--steps 2 --filter-weight -1", "--steps 2 --every 0",
         "--steps 2 --filter-weight 1 --advanced filter-order=4", "--steps 2 --balance much",
-        "--steps many"})
+        "--steps 2 --max-scale 1", "--steps many"})
     EXPECT_EQ(run("flow a.off -o b.ply " + option).code, 2) << option;
   EXPECT_TRUE(fails(run("flow a.off --steps 2 -o b.xyz"), 5, "b.xyz"));
 }

@@ -26,6 +26,9 @@ const char* const flow_about =
     "there is one that closes around holes: the table has the mean and the deviation. On the "
     "faces\n"
     "of the file no step leaves the limits.\n"
+    "Limbs, and what is behind a thin neck, become small, as conformal maps have it, unless\n"
+    "--max-scale bounds lengths against the input: the flow then ends with the least energy that\n"
+    "this admits.\n"
     "Area, centroid and triangle quality stay. Surfaces stay on their exact discrete conformal\n"
     "class, that of their intrinsic Delaunay triangulation, and are smoothed within it.\n"
     "The output has the vertex property quality (quasi-conformal error against the input, 1 is\n"
@@ -67,6 +70,8 @@ void add_options(CLI::App& command, Flow_options& flow, Common_options& common)
       "step, and are not smoothed otherwise");
   advanced(command).add_flag("--no-fairing", flow.no_fairing,
                              "no smoothing within the conformal class, curvature flow only");
+  add_max_scale(command, flow.scale_bound,
+                ", against the input: limbs, and what is behind a thin neck, become no smaller");
   add_boundary(command, flow.boundary);
   add_mollification(command, flow.mollification,
                     "; without --plain no edge becomes longer: vertices of faces that are still "
@@ -156,7 +161,8 @@ void note_collapse(const Flow_solution& solution, const CGP::Mesh_view& mesh, Se
   session.note(text_of(100 * share, 3) +
                " % of the area has shrunk below a tenth, lengths of face " + std::to_string(face) +
                " to " + text_of(least, 2) +
-               ": limbs, and what is behind a thin neck, become small; try: fewer --steps");
+               ": limbs, and what is behind a thin neck, become small; try: fewer --steps, or "
+               "--max-scale 4");
 }
 
 /// A flow that was stopped by what it met has not done what was asked, though its last surface

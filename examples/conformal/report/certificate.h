@@ -17,6 +17,9 @@ void add_seconds(const CGP::Spin_report& spin, Stage_seconds& seconds);
 /// Tells the part that concerns the map only.
 void tell_conformality(const CGP::Conformality& map, int faces, Report& report);
 
+/// Tells by which factors lengths have changed, if there is a bound on them.
+void tell_scales(const CGP::Spin_report::Scales& scales, Report& report);
+
 /// Tells how the triangulation of a mollified surface was built; nothing of another.
 void tell_mollification(const CGP::Spin_report::Mollification& made, Report& report);
 

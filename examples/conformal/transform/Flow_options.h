@@ -15,6 +15,7 @@ struct Flow_options {
   std::string input;
   int steps = 10;
   double time_step = 1;  ///< the largest; 2 is the limit of stability
+  std::optional<double> scale_bound;
   double filter_weight = 0;
   int filter_order = 1;
   Balance_choice balance = Balance_choice::none;

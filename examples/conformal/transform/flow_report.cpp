@@ -160,6 +160,11 @@ void tell_flow(const Flow_solution& solution, const CGP::Mesh_view& initial,
   report.set("result/period_defect", flow.period_defect);
   tell_conformality(flow.conformality_of_faces, measured_faces(evidence, initial.size_of_faces()),
                     report);
+  if (flow.scales.bound > 0) {
+    tell_scales(flow.scales, report);
+    report.tell("result/scale_control/steps", "steps kept to the bound on lengths",
+                flow.bounded_steps);
+  }
   tell_class(flow, initial, report);
   tell_mollification(evidence.mollification, report);
   report.set("steps", Report::Value(std::vector<double>()));

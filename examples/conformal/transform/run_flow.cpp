@@ -42,6 +42,7 @@ CGP::Flow_options options_of(const Flow_options& options, const Common_options& 
   if (options.mollification.value_or(0) > 0) flow.mollification = options.mollification;
   flow.max_period_defect = options.max_period_defect;
   flow.exact_conformal_class = !options.plain;
+  flow.scale_bound = options.scale_bound;
   flow.fairing = !options.no_fairing;
   flow.limits = limits_of(options);
   flow.dirac.tolerance = common.tolerance;

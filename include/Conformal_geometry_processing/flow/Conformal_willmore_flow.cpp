@@ -75,6 +75,7 @@ Conformal_willmore_flow::Conformal_willmore_flow(const Mesh_view& mesh, const Fl
                                    (std::min)(options.min_time_step, options.time_step))
                       : options.time_step)
 {
+  if (options.scale_bound) m_scale_bound.emplace(m_initial, *options.scale_bound);
   if (options.exact_conformal_class) m_class.emplace(m_initial, options.boundary);
   if (m_faces && !options.mollification && boundary_loops(mesh).empty()) make_filter();
   if (!options.mollification) return;
@@ -155,7 +156,8 @@ void Conformal_willmore_flow::find_time_step(const Eigen::VectorXd& v, Flow_step
 
 Flow_step_report::Stop Conformal_willmore_flow::reason_to_end(Verdict last) const
 {
-  if (last == Verdict::rises_slightly || last == Verdict::rises_within_error)
+  if (last == Verdict::rises_slightly || last == Verdict::rises_within_error ||
+      last == Verdict::out_of_bound)
     return Flow_step_report::Stop::energy_settled;
   if (last == Verdict::out_of_limits) return Flow_step_report::Stop::limits_reached;
   // Beyond e^11, the squares of the lengths by the least damping of a snap, 1e-6, exceed 16 digits;
@@ -170,17 +172,26 @@ auto Conformal_willmore_flow::try_step(const Eigen::VectorXd& rho, Flow_step_rep
                                        const Go_further& go_further) -> Verdict
 {
   try {
-    Spin_result next = m_transformation.closed_step(rho, go_further);
-    const Spin_report before = std::exchange(report.spin, next.report);
-    internal::add_costs(report.spin, before);
-    if (m_class) report.spin.mollification = m_mollification;
-    report.period_defect = report.spin.period_defect;
-    return report.spin.cancelled ? Verdict::cancelled : judge(std::move(next), report);
+    Verdict verdict = Verdict::out_of_bound;
+    report.is_bounded = m_is_bounded;
+    if (!m_is_bounded) verdict = judge_new(m_transformation.closed_step(rho, go_further), report);
+    if (verdict != Verdict::out_of_bound) return verdict;
+    report.is_bounded = true;
+    return judge_new(m_scale_bound->step(m_transformation, m_mesh, rho, go_further), report);
   } catch (const Solver_error& error) {
     if (is_out_of_memory(error)) throw;
     report.message = error.what();
     return Verdict::bad;
   }
+}
+
+auto Conformal_willmore_flow::judge_new(Spin_result result, Flow_step_report& report) -> Verdict
+{
+  const Spin_report before = std::exchange(report.spin, result.report);
+  internal::add_costs(report.spin, before);
+  if (m_class) report.spin.mollification = m_mollification;
+  report.period_defect = report.spin.period_defect;
+  return report.spin.cancelled ? Verdict::cancelled : judge(std::move(result), report);
 }
 
 auto Conformal_willmore_flow::judge(Spin_result result, Flow_step_report& report) -> Verdict
@@ -195,7 +206,7 @@ auto Conformal_willmore_flow::judge(Spin_result result, Flow_step_report& report
   if (rise >= forbidden_rise()) {
     (void)reject("the energy rises by " + std::to_string(rise / m_energy) + " of it", report);
     if (is_small(rise, report.time_step)) return Verdict::rises_slightly;
-    return is_within_error(rise) ? Verdict::rises_within_error : Verdict::bad;
+    return is_within_error(rise, report.is_bounded) ? Verdict::rises_within_error : Verdict::bad;
   }
   return move_on(balanced(energy), spin_limits(), report);
 }
@@ -241,15 +252,20 @@ bool Conformal_willmore_flow::is_small(double change, double time) const
   return std::abs(change) < m_options.energy_tolerance * time * scale;
 }
 
-bool Conformal_willmore_flow::is_within_error(double rise) const
+bool Conformal_willmore_flow::is_within_error(double rise, bool is_bounded) const
 {
-  return is_small(rise, 1) ||
+  const double error_of_bounded = .01;  // relative: what they leave of the Dirac equation is rough
+  return is_small(rise, 1) || (is_bounded && rise < error_of_bounded * m_energy) ||
          rise < direction_error().mean * (std::max)(m_energy, internal::energy_of_spheres);
 }
 
 auto Conformal_willmore_flow::move_on(double energy, const Conformality::Limits& limits,
                                       Flow_step_report& report) -> Verdict
 {
+  if (m_scale_bound && m_scale_bound->measured(m_next.positions()).excess() > 1) {
+    (void)reject("lengths have reached their bound", report);
+    return Verdict::out_of_bound;
+  }
   const Conformality map = map_to(measured(), m_next.positions());
   if (const std::string fault = beyond(map, limits, m_next.positions()); !fault.empty()) {
     (void)reject(fault, report);
@@ -274,6 +290,7 @@ void Conformal_willmore_flow::accept(Flow_step_report& report)
   report.energy = m_energy;
   report.energy_of_faces = energy_of_faces(positions());
   report.message.clear();
+  m_is_bounded = report.is_bounded;
   if (m_class) judge_boundary(report.spin);
   m_time_step.grow();
   const double change = report.energy - report.energy_before;

@@ -8,6 +8,7 @@
 #include <Conformal_geometry_processing/flow/Flow_balance.h>
 #include <Conformal_geometry_processing/flow/Flow_options.h>
 #include <Conformal_geometry_processing/flow/Flow_report.h>
+#include <Conformal_geometry_processing/flow/Scale_bound.h>
 #include <Conformal_geometry_processing/measure/Conformality.h>
 #include <Conformal_geometry_processing/measure/energies.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
@@ -205,7 +206,15 @@ class Conformal_willmore_flow {
 
  private:
   /// the result of a trial
-  enum class Verdict { good, rises_slightly, rises_within_error, bad, out_of_limits, cancelled };
+  enum class Verdict {
+    good,
+    rises_slightly,
+    rises_within_error,
+    bad,
+    out_of_bound,  // lengths are beyond theirs
+    out_of_limits,
+    cancelled
+  };
 
   /// what a step changes beside its number
   struct State {
@@ -290,6 +299,8 @@ class Conformal_willmore_flow {
   Verdict try_step(const Eigen::VectorXd& rho, Flow_step_report& report,
                    const Go_further& go_further);
   Verdict judge(Spin_result result, Flow_step_report& report);
+  /// Likewise for a result of which the report has not told yet.
+  Verdict judge_new(Spin_result result, Flow_step_report& report);
 
   /// \brief balances the next surface and returns its energy.
   ///
@@ -319,8 +330,9 @@ class Conformal_willmore_flow {
   bool is_small(double change, double time) const;
 
   /// \brief whether a rise of the energy says nothing about its descent: it is below the tolerance
-  /// even for a time of 1, or no more than it takes to lead the boundary back to its directions.
-  bool is_within_error(double rise) const;
+  /// even for a time of 1, or no more than it takes to lead the boundary back to its directions,
+  /// or than a bound on lengths has left of the Dirac equation.
+  bool is_within_error(double rise, bool is_bounded) const;
 
   /// Adopts the next surface if the map to it is within the limits. Performs all operations that
   /// may fail before the first change.
@@ -341,6 +353,8 @@ class Conformal_willmore_flow {
       m_well_shaped;  // of the initial mesh, with mollification
   internal::Constrained_direction m_direction;
   internal::Flow_balance m_balance;
+  std::optional<internal::Scale_bound> m_scale_bound;
+  bool m_is_bounded = false;  // the last step has met it
   double m_initial_energy, m_energy, m_energy_of_input;
   internal::Time_step m_time_step;
   Spin_report::Mollification m_mollification;  // on the exact class

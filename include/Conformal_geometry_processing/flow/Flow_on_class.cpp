@@ -146,6 +146,7 @@ void Conformal_willmore_flow::settle_for_fairing(Flow_step_report& report)
   report.energy = m_energy;
   report.energy_of_faces = energy_of_faces(positions());
   report.time_step = 0;
+  report.is_bounded = false;
   const Spin_report given_up = std::exchange(report.spin, {});
   internal::add_costs(report.spin, given_up);
   report.spin.mollification = m_mollification;
@@ -198,6 +199,7 @@ void Conformal_willmore_flow::finish(Flow_report& report)
   report.conformality = map_to(measured(), m_mesh.positions());
   report.conformality_of_faces = m_faces ? map_to(*m_faces, positions()) : report.conformality;
   report.energy_of_faces = energy_of_faces(positions());
+  if (m_scale_bound) report.scales = m_scale_bound->measured(m_mesh.positions());
   const bool is_triangulated = m_transformation.domain().is_mollified();
   if (m_steps > 0 && !is_triangulated && boundary_loops(m_mesh).empty())
     report.conformal_type_change = type_change();

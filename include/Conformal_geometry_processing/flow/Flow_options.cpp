@@ -22,6 +22,9 @@ const Flow_options& checked(const Flow_options& o, const std::string& function)
           "zero or a positive number is needed");
   require(o.filter_order >= 0, "an order of " + std::to_string(o.filter_order),
           "0, 1, 2, ... are possible");
+  require(!o.scale_bound || (*o.scale_bound > 1 && std::isfinite(*o.scale_bound)),
+          "a scale bound of " + std::to_string(o.scale_bound.value_or(0)),
+          "a number above 1 is needed");
   require(o.boundary.kind != Boundary_condition::Kind::positions,
           "positions are prescribed at the boundary", "a flow can keep directions only");
   return o;

@@ -74,6 +74,11 @@ struct Flow_options {
   /// the limits
   Conformality::Limits limits;
 
+  /// > 1: lengths stay within this factor of those of the initial surface, on 98 % of its area, and
+  /// within 1.5 times it on 99.8 %. Limbs, and what is behind a thin neck, become no smaller: the
+  /// flow ends with the least energy that this admits. None: no bound
+  std::optional<double> scale_bound = std::nullopt;
+
   /// stop if the energy changes by less than this share of it in a time of 1; if it tends to zero,
   /// of a hundredth of the initial energy
   double energy_tolerance = 1e-4;

@@ -44,6 +44,7 @@ bool append(Flow_report& report, Flow_step_report step)
   report.stop = step.stop;
   report.message = step.message;
   const bool is_accepted = step.accepted;
+  if (is_accepted) report.bounded_steps += step.is_bounded;
   if (is_accepted) report.period_defect += step.period_defect;
   if (is_accepted) report.steps.push_back(std::move(step));
   return is_accepted;

@@ -38,6 +38,7 @@ struct [[nodiscard]] Flow_step_report {
 
   double energy_before = 0, energy = 0;  ///< of the direction; Willmore energy if it has none
   double energy_of_faces = 0;            ///< likewise after the step, on the faces of the input
+  bool is_bounded = false;               ///< rho was changed so that lengths keep to their bound
   bool faired = false;                   ///< the surface was smoothed within its conformal class
   double time_step = 0;                  ///< tau of the last trial; zero if only fairing succeeded
   int trials = 0;                        ///< how many time steps were tried
@@ -71,6 +72,11 @@ struct [[nodiscard]] Flow_report {
   double initial_energy_of_faces = 0, energy_of_faces = 0;
   Conformality conformality_of_faces;
   ///@}
+
+  /// the factors by which lengths have changed, with a bound on them: see
+  /// `Flow_options::scale_bound`
+  Spin_report::Scales scales;
+  int bounded_steps = 0;  ///< of which rho was changed so that lengths keep to the bound
 
   /// change of the conformal type of a closed surface with handles, measured by its harmonic forms,
   /// see `internal::conformal_type_distance()`

@@ -32,6 +32,7 @@ def willmore_flow(V: Points, F: Faces, *, max_steps: int = 100, time_step: float
                   balancing: str = "inversion", target_areas: Optional[Vertex_values] = None,
                   boundary: Optional[Boundary_condition] = None,
                   exact_conformal_class: bool = True, fairing: bool = True,
+                  max_scale: Optional[float] = None,
                   exactness: Optional[str] = "adjoint",
                   max_period_defect: Optional[float] = None,
                   mollification: Optional[float] = None, random_seed: int = 0,
@@ -66,6 +67,9 @@ def willmore_flow(V: Points, F: Faces, *, max_steps: int = 100, time_step: float
     exact_conformal_class, fairing : bool
         whether closed surfaces stay on their exact discrete conformal class, and steps begin with
         smoothing within it; without both, it is the flow of the thesis
+    max_scale : float > 1, optional
+        the largest factor by which lengths may differ from those of V, on 98 % of the area: limbs,
+        and what is behind a thin neck, become no smaller
     exactness, max_period_defect, mollification, random_seed
         as in ``spin_transform()``
     callback : function of (Flow_step_report, positions), optional
@@ -83,6 +87,7 @@ def willmore_flow(V: Points, F: Faces, *, max_steps: int = 100, time_step: float
                    filter_order=filter_order, balance=balance, balancing=balancing,
                    target_areas=real_or_none(target_areas, name, "areas"), boundary=boundary,
                    exact_conformal_class=exact_conformal_class, fairing=fairing,
+                   max_scale=max_scale,
                    exactness=exactness, max_period_defect=max_period_defect,
                    mollification=mollification, random_seed=random_seed)
     on_step = None if callback is None else (

@@ -200,6 +200,7 @@ class Flow_step_report:
     energy_before: float
     energy: float
     energy_of_faces: float
+    is_bounded: bool
     faired: bool
     time_step: float
     trials: int
@@ -228,6 +229,8 @@ class Flow_report(Report):
     energy_of_faces: float
     conformality: Conformality
     conformality_of_faces: Conformality
+    scales: Scales
+    bounded_steps: int
     conformal_type_change: float
     period_defect: float
     seconds: float

@@ -1,0 +1,50 @@
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
+
+#include <Conformal_geometry_processing/mesh/Mesh_view.h>
+#include <Conformal_geometry_processing/spin/Scale_control.h>
+#include <Conformal_geometry_processing/spin/Spin_report.h>
+#include <Conformal_geometry_processing/spin/Spin_transformation.h>
+
+#include <Eigen/Core>
+
+#include <functional>
+
+namespace Conformal_geometry_processing::internal {
+
+/// \ingroup PkgFlow
+/// \brief the logarithms of the factors by which lengths have changed, |V|: u of the vertices of a
+/// face with lengths exp((u_i + u_j) / 2) times those before, in the mean over the faces of a
+/// vertex. On the exact conformal class, all its faces agree.
+Eigen::VectorXd vertex_log_scales(const Mesh_view& before, const Points& after);
+
+/// \ingroup PkgFlow
+/// \brief the bound on lengths in a flow, against its initial surface, weighted by the areas there:
+/// by those of the present surface, what has collapsed would not count.
+class Scale_bound {
+ public:
+  /// \param bound > 1
+  Scale_bound(const Mesh_view& initial, double bound);
+
+  /// of a surface of the same connectivity
+  Spin_report::Scales measured(const Points& positions) const;
+
+  /// \brief what a transformation of a surface has to keep to, a little within the bound: the way
+  /// back to the class moves lengths, too.
+  Scale_control control(const Mesh_view& surface) const;
+
+  /// \brief the surface of spins and a rho' that is as near to rho as the bound, handles and holes
+  /// allow, see `Relaxed_scales`.
+  /// \param rho |V|, in 1/length of the mesh
+  /// \throw Solver_error if a factorization fails
+  Spin_result step(Spin_transformation& transformation, const Mesh_view& surface,
+                   const Eigen::VectorXd& rho,
+                   const std::function<bool(const Eigensolver_progress&)>& go_further) const;
+
+ private:
+  Mesh_view m_initial;
+  Eigen::VectorXd m_areas;
+  Scale_control m_control;
+};
+
+}  // namespace Conformal_geometry_processing::internal
