@@ -18,6 +18,8 @@ def way_table(rows):
     lines = []
     for (mesh,), all_ways in grouped(rows, "mesh").items():
         for (way,), some in grouped(all_ways, "way").items():
+            if way == "half way":
+                continue  # between its neighbours
             better = [str(count(some, lambda row, key=key: is_better(row, all_ways, key)))
                       for key in ("q_mean", "cross_ratio_rms")]
             lines.append([mesh, way, extent((row["q_mean"] for row in some), ".3f"),

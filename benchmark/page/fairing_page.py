@@ -45,21 +45,6 @@ def before_table(rows):
         for row in rows if row["method"] == "before"])
 
 
-def cell(row):
-    if not is_moved(row):
-        return "none"
-    return f"{energy(row)}; {number(row['q_mean'], '.3f')}, {number(row['q_worst'], '.3f')}"
-
-
-def method_table(rows):
-    """Of each method with its largest stable time step, a cell a mesh."""
-    found = {mesh: {row["method"]: cell(row) for row in of_role(rows, mesh, "stable") if row["method"] != "before"}
-             for mesh in meshes(rows)}
-    return table(["E; Q mean, on the way", *found],
-                 [[method, *(cells.get(method, "") for cells in found.values())]
-                  for method in next(iter(found.values()))])
-
-
 def plot_of(rows, mesh):
     """E - 1 has no logarithm where E is less than 1, so it is E that is drawn."""
     lines = {row["method"]: [tuple(map(float, moment.split(":"))) for moment in row["curve"].split()]
@@ -81,21 +66,20 @@ def best(rows, mesh, role, key):
     return min(rivals, key=lambda row: row["energy"], default=None)
 
 
-def verdict_cells(rows, mesh, role, when, key):
-    ours, other = of_role(rows, mesh, "default")[0], best(rows, mesh, role, key)
+def verdict_cells(rows, mesh, when, key):
+    ours, other = of_role(rows, mesh, "default")[0], best(rows, mesh, "stable", key)
     own = f"{energy(ours)}" + ("" if keeps(key)(ours) else f", but {ours[key]:.3f}")
-    return [mesh, role, when, own, f"{energy(other)}, {other['method']}" if other else "none"]
+    return [mesh, when, own, f"{energy(other)}, {other['method']}" if other else "none"]
 
 
 def verdict_table(rows):
-    return table(["mesh", "time steps", "Q kept", "ours", "lowest of the others"], [
-        verdict_cells(rows, mesh, role, when, key)
-        for mesh in meshes(rows) for role in ("stable", "lowest") for when, key in KEPT.items()])
+    return table(["mesh", "Q kept", "ours", "lowest of the others"], [
+        verdict_cells(rows, mesh, when, key) for mesh in meshes(rows) for when, key in KEPT.items()])
 
 
 def blocks(rows):
     return {"machine": f"- processor: {rows[0]['machine']}", "before": before_table(rows[1:]),
-            "methods": method_table(rows[1:]), "verdict": verdict_table(rows[1:])}
+            "verdict": verdict_table(rows[1:])}
 
 
 def figures(rows):

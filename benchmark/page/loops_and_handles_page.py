@@ -14,9 +14,8 @@ def of_kind(rows, kind):
 
 
 def table_of(rows, kind):
-    return table([kind, "vertices", "CPU s", "MB", "factorizations", "solves", "kept of rho", "result"], [
-        [str(row["count"]), f"{row['vertices']:,}", f"{row['seconds']:.2f}", f"{row['kilobytes'] / 1024:.0f}",
-         *(f"{row.get(key) or 0:,}" for key in ("factorizations", "solves")),
+    return table([kind, "CPU s", "MB", "kept of rho", "result"], [
+        [str(row["count"]), f"{row['seconds']:.2f}", f"{row['kilobytes'] / 1024:.0f}",
          f"{100 * (row.get('realised_share') or 0):.0f} %", OUTCOMES.get(row["code"], "refused")]
         for row in of_kind(rows, kind)])
 

@@ -14,10 +14,6 @@ def ratio(row, prefix=""):
     return row[prefix + "distance"] / row["source_distance"]
 
 
-def moves_in_itself(row):
-    return row["motion"] == "twist" and row["roundness"] > 0.99
-
-
 def cells(name, way, rows):
     prefix = WAYS[way]
     return [name, way, str(len(rows)), percent(rows, lambda row: ratio(row, prefix) <= 0.5),
@@ -28,8 +24,7 @@ def cells(name, way, rows):
 
 def share_table(rows):
     parts = {"all": rows, **{motion + "s": [row for row in rows if row["motion"] == motion]
-                             for motion in ("bend", "twist")},
-             "without spheres twisted in themselves": [row for row in rows if not moves_in_itself(row)]}
+                             for motion in ("bend", "twist")}}
     return table(["motions", "way", "cases", "at most half as far", "farther", "median", "verified"],
                  [cells(name, way, some) for name, some in parts.items() for way in WAYS])
 

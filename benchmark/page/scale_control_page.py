@@ -9,7 +9,6 @@ from page.tables import count, extent, grouped, percent, table
 COARSE = 300  # faces of a mesh on which a conformal map is more than a few turned faces
 FINE = 1000  # faces of a mesh on which six rings are more than noise
 SCANS = 5000  # faces of a mesh whose costs are told in P
-NAMES = {"bands": "bands", "rings": "six rings", "waves": "waves"}
 
 
 def cases(rows):
@@ -35,8 +34,7 @@ def share_cells(name, rows):
 def share_table(rows):
     parts = {"all": rows, **{f"at least {least:,} faces": [row for row in rows if row["faces"] >= least]
                              for least in (COARSE, FINE)},
-             **{f"{NAMES[name]}, A = {a}": some
-                for (name, a), some in sorted(grouped(rows, "potential", "amplitude").items())}}
+             **{f"A = {a}": some for (a,), some in sorted(grouped(rows, "amplitude").items())}}
     return table(["cases", "number", "plain: within", "collapsed", "bound: within", "collapsed", "verified"],
                  [share_cells(*part) for part in parts.items()])
 
