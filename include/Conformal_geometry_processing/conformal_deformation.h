@@ -174,9 +174,9 @@ Spin_report conformal_deformation(TriangleMesh& mesh, const TargetRange& targets
   const Graph_view<TriangleMesh> graph(mesh, np, function);
   Spin_visitor silent;
   auto&& visitor = internal::parameter_or(np, CGAL::internal_np::visitor, silent);
+  auto options = internal::conformal_deformation_options(graph, np);
   const auto points = internal::read_control_points(
       graph, targets, internal::geometry_traits<TriangleMesh>(np), function);
-  auto options = internal::conformal_deformation_options(graph, np);
   options.region = internal::weights_at(points, graph.view(), std::move(options.region), function);
   internal::Conformal_deformation deformation(graph.view(), options, function);
   Spin_result result = deformation.deform(points, internal::asking(visitor));
