@@ -65,6 +65,11 @@ TEST(Scale_control, measures_lengths_at_unchanged_area)
   EXPECT_NEAR(scales.high, 1 / std::sqrt(growth), 1e-12);      // one vertex is less than 1 %
   EXPECT_NEAR(scales.tip_high, 5 / std::sqrt(growth), 1e-12);  // but a tip
   EXPECT_NEAR(scales.excess(), std::log(scales.tip_high) / std::log(3), 1e-12);
+  Eigen::VectorXd counted = areas;  // as if it had been a tenth of the surface before
+  counted[0] = areas.sum() / 9;
+  scales = CGP::internal::measured_scales(lambda, areas, {2., {}, {}, counted});
+  EXPECT_NEAR(scales.high, 5 / std::sqrt(growth), 1e-12);
+  EXPECT_NEAR(scales.low, 1 / std::sqrt(growth), 1e-12);
 }
 
 TEST(Scale_control, compares_rho_without_its_mean_where_that_has_no_effect)

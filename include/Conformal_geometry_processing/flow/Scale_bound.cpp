@@ -58,6 +58,7 @@ Scale_control Scale_bound::control(const Mesh_view& surface) const
   const Eigen::VectorXd u = vertex_log_scales(m_initial, surface.positions());
   control.factors = (-u).array().exp();
   control.weights = m_areas.cwiseQuotient(vertex_areas(surface));
+  control.counted_areas = m_areas;
   return control;
 }
 

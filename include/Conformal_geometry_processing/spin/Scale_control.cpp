@@ -53,9 +53,10 @@ Eigen::VectorXd with_area_kept(const Eigen::VectorXd& u, const Eigen::VectorXd& 
 Spin_report::Scales measured_scales(const Quaternion_vector<double>& lambda,
                                     const Eigen::VectorXd& areas, const Scale_control& control)
 {
-  Eigen::VectorXd u = with_area_kept(log_scales(lambda), areas), weights = areas;
+  Eigen::VectorXd u = with_area_kept(log_scales(lambda), areas),
+                  weights = control.counted_areas.size() > 0 ? control.counted_areas : areas;
   if (control.factors.size() > 0) u -= with_area_kept(control.factors.array().log(), areas);
-  if (control.weights.size() > 0) weights = (control.weights.array() > 0).select(areas, 0);
+  if (control.weights.size() > 0) weights = (control.weights.array() > 0).select(weights, 0).eval();
   const Distribution up = distribution(u, weights), down = distribution(-u, weights);
   Spin_report::Scales scales;
   scales.bound = control.bound.value_or(0);

@@ -31,6 +31,9 @@ struct Scale_control {
   std::optional<double> bound = std::nullopt;
   Eigen::VectorXd factors = {};  ///< wanted, |V|, positive; empty: 1 everywhere
   Eigen::VectorXd weights = {};  ///< |V|, of the areas; 0: lengths may change freely. Empty: 1
+  /// |V|, whose shares of 98 % and 99.8 % are meant; empty: those of the surface. In a flow those
+  /// of its start, or what has shrunk would not count
+  Eigen::VectorXd counted_areas = {};
 
   /// \throw Precondition_error naming the first vertex with an unsuitable value, or if there are
   /// factors or weights but no bound
