@@ -16,18 +16,29 @@ def name_of(processes):
 def cells(row, alone):
     """Of a row, and that of one process on the same mesh."""
     most = max(row["megabytes"])
-    return [f"{row['faces']:,}", name_of(row["processes"]), f"{most:.0f}",
-            f"{most / max(alone['megabytes']):.2f}", f"{sum(row['megabytes']) / max(alone['megabytes']):.2f}",
-            f"{row['seconds']:.1f}", str(row["iterations"])]
+    return [name_of(row["processes"]), f"{most:.0f}", f"{most / max(alone['megabytes']):.2f}",
+            f"{sum(row['megabytes']) / max(alone['megabytes']):.2f}", f"{row['seconds']:.0f}", str(row["iterations"])]
+
+
+def alone(rows):
+    return [row for row in measured(rows) if row["processes"] == 1]
+
+
+def largest_table(rows):
+    last = alone(rows)[-1]
+    return table([f"{last['faces']:,} faces", "MB, largest", "by that of 1", "sum, by that of 1", "CPU seconds",
+                  "iterations"],
+                 [cells(row, last) for row in measured(rows) if row["faces"] == last["faces"]])
+
+
+def growth(rows):
+    first, last = alone(rows)[0], alone(rows)[-1]
+    return (f"From {first['faces']:,} to {last['faces']:,} faces, the iterations of one process go from "
+            f"{first['iterations']} to {last['iterations']}.")
 
 
 def blocks(rows):
-    lines = []
-    for _, some in grouped(measured(rows), "faces").items():
-        alone = next(row for row in some if row["processes"] == 1)
-        lines += [cells(row, alone) for row in some]
-    return {"parts": table(["faces", "", "MB, largest", "by that of 1", "sum, by that of 1", "CPU seconds",
-                            "iterations"], lines)}
+    return {"parts": largest_table(rows), "growth": growth(rows)}
 
 
 def figures(rows):
