@@ -38,6 +38,8 @@ Ending ending_of(const CGP::Solver_error& error)
           error.message() + "; try: less of a change, or a mesh without slivers"};
 }
 
+}  // namespace
+
 Ending carry_out(const std::function<void()>& work)
 {
   try {
@@ -59,6 +61,8 @@ Ending carry_out(const std::function<void()>& work)
     return {Exit_code::failed, error.what()};
   }
 }
+
+namespace {
 
 // Adds the file name, which errors of the library do not contain.
 void run_with_name(const Command& command, Session& session)

@@ -1,42 +1,13 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include "collective.h"
 
-#include "conformal/io/file/io_errors.h"
 #include "conformal/process/Failure.h"
+#include "conformal/run.h"
 
-#include <Quaternionic_linear_algebra/exceptions.h>
-
-#include <new>
+#include <utility>
 
 namespace conformal::mpi {
 namespace {
-
-namespace CGP = Conformal_geometry_processing;
-
-struct Fault {
-  Exit_code code = Exit_code::done;
-  std::string text;
-};
-
-Fault fault_of(const std::function<void()>& work)
-{
-  try {
-    work();
-    return {};
-  } catch (const Failure& failure) {
-    return {failure.code(), failure.what()};
-  } catch (const Read_error& error) {
-    return {Exit_code::unreadable, error.what()};
-  } catch (const Write_error& error) {
-    return {Exit_code::unwritable, error.what()};
-  } catch (const CGP::Precondition_error& error) {
-    return {Exit_code::unsuitable, error.message()};
-  } catch (const std::bad_alloc&) {
-    return {Exit_code::out_of_memory, "out of memory; try: more processes on more machines"};
-  } catch (const std::exception& error) {
-    return {Exit_code::failed, error.what()};
-  }
-}
 
 /// the text of a process
 std::string text_of_process(std::string text, int process)
@@ -73,13 +44,13 @@ int processes()
 
 void together(const std::function<void()>& work)
 {
-  const Fault mine = fault_of(work);
+  const Ending mine = carry_out(work);
   int first = mine.code == Exit_code::done ? processes() : rank();
   MPI_Allreduce(MPI_IN_PLACE, &first, 1, MPI_INT, MPI_MIN, MPI_COMM_WORLD);
   if (first == processes()) return;
   int code = static_cast<int>(mine.code);
   MPI_Bcast(&code, 1, MPI_INT, first, MPI_COMM_WORLD);
-  throw Failure(static_cast<Exit_code>(code), text_of_process(mine.text, first));
+  throw Failure(static_cast<Exit_code>(code), text_of_process(mine.error, first));
 }
 
 double sum(double value)

@@ -30,6 +30,7 @@ Spin_solvers spin_solvers(const NamedParameters& np)
   return parameter_or(np, internal_np::sparse_solver, Spin_solvers());
 }
 
+/// \brief reads how handles stay closed, the mollification and the solvers.
 /// \tparam Options has exactness, mollification and solvers
 template <class Options, class NamedParameters>
 void read_exactness_and_mollification(const NamedParameters& np, Options& options)
