@@ -13,12 +13,7 @@
 namespace Conformal_geometry_processing {
 
 internal::Conformal_class::Conformal_class(const Mesh_view& mesh)
-    : Conformal_class(mesh, vertex_graph(mesh))
-{}
-
-internal::Conformal_class::Conformal_class(const Mesh_view& mesh,
-                                           const std::shared_ptr<const Sparse_pattern>& graph)
-    : m_scales(mesh, graph), m_equations(mesh, *graph)
+    : m_equations(mesh, *vertex_graph(mesh))
 {}
 
 void internal::Conformal_class::keep(Rim_directions rim)
@@ -30,7 +25,8 @@ void internal::Conformal_class::keep(Rim_directions rim)
 Eigen::VectorXd internal::Conformal_class::residuals(const Points& f,
                                                      const Eigen::VectorXd& u) const
 {
-  const Eigen::VectorXd of_edges = m_scales.residuals(f, u), of_rim = m_rim.residuals(f);
+  const Eigen::VectorXd of_edges = m_equations.scales().residuals(f, u),
+                        of_rim = m_rim.residuals(f);
   Eigen::VectorXd all(of_edges.size() + of_rim.size());
   all << of_edges, of_rim;
   return all;
@@ -73,7 +69,8 @@ bool internal::Conformal_class::iterate(State& state, const Snap_options& option
   const double outside = .37;  // and one outside of the basin more than that
   const double is_near = 1e-6;  // a new factor that gains less there is damped too much
   const bool is_new = !state.has_factor;
-  if (is_new && report.residual < is_near && report.residual < m_scales.rounding(state.f))
+  if (is_new && report.residual < is_near &&
+      report.residual < m_equations.scales().rounding(state.f))
     return false;
   if (is_new && !factorize(state.f, report.residual > options.enough())) return false;
   report.factorizations += is_new;
@@ -95,7 +92,7 @@ internal::Snap_report internal::Conformal_class::snap(Points& f, const Snap_opti
 {
   const int few = 5;
   const double damping = m_equations.damping();
-  State state{f, m_scales.nearest_scales(f), {}};
+  State state{f, m_equations.scales().nearest_scales(f), {}};
   state.residuals = residuals(f, state.u);
   Snap_report report;
   report.initial_residual = report.residual = state.residuals.lpNorm<Eigen::Infinity>();

@@ -79,8 +79,6 @@ class Conformal_class {
     bool has_factor = false;  ///< the last factor is to be used again
   };
 
-  Conformal_class(const Mesh_view& mesh, const std::shared_ptr<const Sparse_pattern>& graph);
-
   /// \brief Makes a new factor.
   /// \returns false if that fails and is not needed
   bool factorize(const Points& f, bool is_needed);
@@ -97,7 +95,6 @@ class Conformal_class {
   /// of the edges, and of the rim
   Eigen::VectorXd residuals(const Points& f, const Eigen::VectorXd& u) const;
 
-  Edge_scales m_scales;
   Rim_directions m_rim;
   Snap_equations m_equations;
 };

@@ -2,71 +2,17 @@
 #include <Conformal_geometry_processing/conformal_class/Snap_equations.h>
 
 #include <Conformal_geometry_processing/mesh/topology.h>
-#include <Conformal_geometry_processing/operators/vertex_graph.h>
-#include <Quaternionic_linear_algebra/direct/Ordering.h>
-#include <Quaternionic_linear_algebra/direct/choose_ordering.h>
 #include <Quaternionic_linear_algebra/exceptions.h>
-#include <Quaternionic_linear_algebra/krylov/conjugate_gradients.h>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <limits>
 #include <memory>
 #include <utility>
 
 namespace Conformal_geometry_processing {
-
-internal::Edge_scales::Edge_scales(const Mesh_view& mesh,
-                                   std::shared_ptr<const Sparse_pattern> graph)
-    : m_ends(mesh.ends()), m_log_lengths(mesh.size_of_edges()), m_normal_matrix(std::move(graph))
-{
-  const Sparse_pattern& pattern = m_normal_matrix.pattern();
-  for (int k = 0; k < mesh.size_of_edges(); ++k) {
-    const auto [i, j] = mesh.ends(k);
-    m_log_lengths[k] = std::log((mesh.position(j) - mesh.position(i)).norm());
-    m_normal_matrix.value(pattern.find(j, i)) += .25;
-    for (const int v : {i, j}) m_normal_matrix.value(diagonal_position(pattern, v)) += .25;
-  }
-}
-
-Eigen::VectorXd internal::Edge_scales::residuals(const Points& f, const Eigen::VectorXd& u) const
-{
-  Eigen::VectorXd c(m_log_lengths.size());
-  for (Eigen::Index k = 0; k < c.size(); ++k) {
-    const auto [i, j] = m_ends[static_cast<std::size_t>(k)];
-    c[k] = std::log((f.col(j) - f.col(i)).norm()) - m_log_lengths[k] - (u[i] + u[j]) / 2;
-  }
-  return c;
-}
-
-double internal::Edge_scales::rounding(const Points& f) const
-{
-  const Eigen::VectorXd size = f.cwiseAbs().colwise().maxCoeff();
-  double largest = 0;  // of coordinates, by the length of their edge
-  for (const auto& [i, j] : m_ends)
-    largest = (std::max)(largest, (std::max)(size[i], size[j]) / (f.col(j) - f.col(i)).norm());
-  return largest * std::numeric_limits<double>::epsilon();
-}
-
-Eigen::VectorXd internal::Edge_scales::nearest_scales(const Points& f) const
-{
-  const Eigen::VectorXd c = residuals(f, Eigen::VectorXd::Zero(f.cols()));
-  if (!c.allFinite()) throw Solver_error("Edge_scales", "an edge has no length");
-  Block<double> b = Block<double>::Zero(f.cols(), 1), u;
-  for (Eigen::Index k = 0; k < c.size(); ++k)
-    for (const int v : m_ends[static_cast<std::size_t>(k)]) b(v, 0) += c[k] / 2;
-  const auto precondition = make_block_operator<double>([&](const auto& r, auto& z) {
-    z.resize(r.rows(), r.cols());
-    for (int v = 0; v < m_normal_matrix.size(); ++v)
-      z(v, 0) = r(v, 0) / m_normal_matrix.diagonal(v);
-  });
-  (void)conjugate_gradients(block_operator(m_normal_matrix), precondition, b, u, {1e-14, 200});
-  return u.col(0);
-}
 
 namespace internal {
 
@@ -156,51 +102,9 @@ inline void require_snap(Solver_status status)
 }  // namespace internal
 
 internal::Snap_equations::Snap_equations(const Mesh_view& mesh, const Sparse_pattern& graph)
-    : m_ends(mesh.ends()),
-      m_graph(graph),
-      m_components(connected_components(mesh)),
-      m_matrix(std::make_shared<const Sparse_pattern>(expanded_pattern(graph, 4)))
+    : m_components(connected_components(mesh)), m_form(Edge_scales(mesh), graph)
 {
-  const int factorizations = 10;  // a few for each snap, and flows have many
-  const Ordering order = choose_ordering(graph, &mesh.positions(), factorizations);
-  require_snap(m_solver.analyze(m_matrix.pattern(), expanded_ordering(order, 4)));
-}
-
-// Entry (row, column) of a block of a column of blocks, 0 for the diagonal one.
-double& internal::Snap_equations::entry(int block_column, int block, int row, int column)
-{
-  const auto& offsets = m_matrix.pattern().offsets;
-  const int first = offsets[static_cast<std::size_t>(4 * block_column + column)] - column;
-  return m_matrix.value(first + 4 * block + row);
-}
-
-void internal::Snap_equations::add_edge(int i, int j, int k, double weight)
-{
-  Row at_j, at_i;
-  at_j << m_directions.col(k), -.5;
-  at_i << -m_directions.col(k), -.5;
-  const int block = m_graph.find(j, i) - m_graph.offsets[static_cast<std::size_t>(i)];
-  for (int c = 0; c < 4; ++c) {
-    const double g = c < 3 ? weight : 0;
-    entry(i, 0, c, c) += g, entry(j, 0, c, c) += g, entry(i, block, c, c) -= g;
-    for (int r = c; r < 4; ++r)
-      entry(i, 0, r, c) += at_i[r] * at_i[c], entry(j, 0, r, c) += at_j[r] * at_j[c];
-    for (int r = 0; r < 4; ++r) entry(i, block, r, c) += at_j[r] * at_i[c];
-  }
-}
-
-void internal::Snap_equations::add_rim_row(const Rim_directions::Row& row)
-{
-  for (int a = 0; a < 3; ++a)
-    for (int b = 0; b < 3; ++b) {
-      const int i = row.vertices[static_cast<std::size_t>(b)],
-                j = row.vertices[static_cast<std::size_t>(a)];
-      if (j < i) continue;
-      const int block = m_graph.find(j, i) - m_graph.offsets[static_cast<std::size_t>(i)];
-      for (int c = 0; c < 3; ++c)
-        for (int r = i == j ? c : 0; r < 3; ++r)
-          entry(i, block, r, c) += row.gradients(r, a) * row.gradients(c, b);
-    }
+  require_snap(m_form.analyze(m_solver, mesh.positions()));
 }
 
 void internal::Snap_equations::keep(Rim_directions rim)
@@ -249,57 +153,66 @@ bool internal::Snap_equations::serves(const Linearization& at, const Points& f) 
 {
   const double largest = .2;  // root mean square
   double squares = 0;
-  for (const auto& [i, j] : m_ends) {
+  for (const Edge_scales::Edge& edge : scales().edges()) {
+    const auto [i, j] = edge.ends;
     const Eigen::Vector3d before = at.f.col(j) - at.f.col(i), after = f.col(j) - f.col(i);
     squares += (after - before).squaredNorm() / before.squaredNorm();
   }
-  return squares < largest * largest * static_cast<double>(m_ends.size());
+  return squares < largest * largest * static_cast<double>(scales().edges().size());
 }
 
 Solver_status internal::Snap_equations::factorize(const Linearization& at)
 {
   m_factorized = nullptr;
   assemble(at);
-  return m_solver.factorize(m_matrix, {});
+  return m_solver.factorize(m_form.matrix(), {});
 }
 
 void internal::Snap_equations::assemble(const Linearization& at)
 {
-  const Points& f = at.f;
-  m_matrix.set_zero();
-  m_directions.resize(3, static_cast<Eigen::Index>(m_ends.size()));
-  for (int k = 0; k < m_directions.cols(); ++k) {
-    const auto [i, j] = m_ends[static_cast<std::size_t>(k)];
-    const Eigen::Vector3d e = f.col(j) - f.col(i);
-    m_directions.col(k) = e / e.squaredNorm();
-    add_edge(i, j, k, at.eps / e.squaredNorm());
-  }
-  m_rim_rows = at.rim.derivative(f);
+  m_form.linearize(at.f);
+  m_form.add_equations(1);
+  m_rim_rows = at.rim.derivative(at.f);
   for (const Rim_directions::Row& row : m_rim_rows) add_rim_row(row);
-  int components = 0;
-  for (int v = 0; v < f.cols(); ++v) {
-    entry(v, 0, 3, 3) += at.eps * snap_scale_weight;
-    if (m_components[static_cast<std::size_t>(v)] < components) continue;
-    ++components;
-    const double held = entry(v, 0, 0, 0) + entry(v, 0, 1, 1) + entry(v, 0, 2, 2);
-    for (int c = 0; c < 3; ++c) entry(v, 0, c, c) += held;
+  const Eigen::VectorXd of_edges = m_form.inverse_squared_lengths();
+  Eigen::VectorXd weights = Eigen::VectorXd::Zero(at.f.cols());  // of the positions in G
+  for (std::size_t k = 0; k < scales().edges().size(); ++k) {
+    const auto [i, j] = scales().edges()[k].ends;
+    const double weight = of_edges[static_cast<Eigen::Index>(k)];
+    m_form.add_of_positions(j, i, -at.eps * weight);
+    weights[i] += weight, weights[j] += weight;
   }
+  int components = 0;
+  for (int v = 0; v < at.f.cols(); ++v) {
+    const bool is_held = m_components[static_cast<std::size_t>(v)] == components;
+    components += is_held;
+    m_form.add_of_positions(v, v, (is_held + at.eps) * weights[v]);
+    m_form.add_of_scale(v, at.eps * snap_scale_weight);
+  }
+}
+
+void internal::Snap_equations::add_rim_row(const Rim_directions::Row& row)
+{
+  for (int a = 0; a < 3; ++a)
+    for (int b = 0; b < 3; ++b) {
+      const int i = row.vertices[static_cast<std::size_t>(a)],
+                j = row.vertices[static_cast<std::size_t>(b)];
+      if (i < j) continue;
+      Eigen::Matrix4d block = Eigen::Matrix4d::Zero();
+      block.topLeftCorner<3, 3>() = row.gradients.col(a) * row.gradients.col(b).transpose();
+      m_form.add(i, j, block);
+    }
 }
 
 void internal::Snap_equations::solve(const Eigen::VectorXd& c, Points& df,
                                      Eigen::VectorXd& du) const
 {
-  Block<double> b = Block<double>::Zero(m_matrix.size(), 1), d;
-  for (int k = 0; k < m_directions.cols(); ++k) {
-    const auto [i, j] = m_ends[static_cast<std::size_t>(k)];
-    b.block<3, 1>(4 * i, 0) += c[k] * m_directions.col(k);
-    b.block<3, 1>(4 * j, 0) -= c[k] * m_directions.col(k);
-    for (const int v : {i, j}) b(4 * v + 3, 0) += c[k] / 2;
-  }
+  const auto edges = static_cast<Eigen::Index>(scales().edges().size());
+  Block<double> b = m_form.right_hand_side(c.head(edges)), d;
   for (std::size_t k = 0; k < m_rim_rows.size(); ++k)
     for (int v = 0; v < 3; ++v)
       b.block<3, 1>(4 * m_rim_rows[k].vertices[static_cast<std::size_t>(v)], 0) -=
-          c[m_directions.cols() + static_cast<Eigen::Index>(k)] * m_rim_rows[k].gradients.col(v);
+          c[edges + static_cast<Eigen::Index>(k)] * m_rim_rows[k].gradients.col(v);
   require_snap(m_solver.solve(b, d));
   const auto at_vertices = d.col(0).reshaped(4, d.rows() / 4);
   df = at_vertices.topRows<3>();

@@ -1,8 +1,8 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #pragma once
 
+#include <Conformal_geometry_processing/conformal_class/Class_equations.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
-#include <Quaternionic_linear_algebra/algebra/Hermitian_sparse_matrix.h>
 #include <Quaternionic_linear_algebra/direct/Supernodal_cholesky.h>
 
 #include <Eigen/Core>
@@ -13,39 +13,6 @@
 #include <vector>
 
 namespace Conformal_geometry_processing::internal {
-
-/// \ingroup PkgConformalClass
-/// \brief The lengths l_ij of a mesh, from which those of a surface are to differ by factors at the
-/// vertices: |f_j - f_i| = l_ij exp((u_i + u_j) / 2), discrete conformal equivalence.
-///
-/// All functions are invariant under motions of f; scaling of f adds a constant to u.
-class Edge_scales {
- public:
-  /// \param graph the `vertex_graph()` of the mesh
-  Edge_scales(const Mesh_view& mesh, std::shared_ptr<const Sparse_pattern> graph);
-
-  const std::vector<std::array<int, 2>>& ends() const { return m_ends; }
-
-  /// \brief c_ij = log |f_j - f_i| - log l_ij - (u_i + u_j) / 2, |E| numbers; not finite where an
-  /// edge has no length.
-  Eigen::VectorXd residuals(const Points& f, const Eigen::VectorXd& u) const;
-
-  /// \brief How exactly positions in double precision can hold the residuals: the largest change of
-  /// log |f_j - f_i| when coordinates of the ends are rounded.
-  double rounding(const Points& f) const;
-
-  /// \brief The u of least squares of the residuals.
-  ///
-  /// Its normal equations, the signless Laplacian, are well conditioned on every mesh with
-  /// triangles: conjugate gradients need about 30 products.
-  /// \throw Solver_error if an edge of f has no length
-  Eigen::VectorXd nearest_scales(const Points& f) const;
-
- private:
-  std::vector<std::array<int, 2>> m_ends;
-  Eigen::VectorXd m_log_lengths;
-  Hermitian_sparse_matrix<double> m_normal_matrix;
-};
 
 /// \ingroup PkgConformalClass
 /// \brief Directions of a surface along its boundary, from which those of other surfaces of the
@@ -88,10 +55,9 @@ class Rim_directions {
 /// \brief The smallest change (df, du) of a surface and its log scales that removes given residuals
 /// of `Edge_scales` and `Rim_directions`, to first order.
 ///
-/// Minimizes eps G(d) + |c + J d|^2, with G(d) = sum |df_j - df_i|^2 / |f_j - f_i|^2 + .01 |du|^2.
-/// Real, 4|V| x 4|V|, with blocks of 4 x 4 numbers on the vertex graph, ordered like it. G does not
-/// see translations: the first vertex of each component is held, which changes the solution by a
-/// translation only.
+/// Minimizes eps G(d) + |c + J d|^2, with G(d) = sum |df_j - df_i|^2 / |f_j - f_i|^2 + .01 |du|^2,
+/// a `Class_form` on the vertex graph. G does not see translations: the first vertex of each
+/// component is held, which changes the solution by a translation only.
 ///
 /// On isothermic surfaces, such as spheres, J loses rank, and a large eps converges slowly. Where
 /// edges differ in length by many orders of magnitude, a small one drowns in rounding.
@@ -113,6 +79,8 @@ class Snap_equations {
 
   /// \param graph the `vertex_graph()` of the mesh
   Snap_equations(const Mesh_view& mesh, const Sparse_pattern& graph);
+
+  const Edge_scales& scales() const { return m_form.scales(); }
 
   /// adds the residuals of a rim, from the next factorization
   void keep(Rim_directions rim);
@@ -148,22 +116,15 @@ class Snap_equations {
   void solve(const Eigen::VectorXd& c, Points& df, Eigen::VectorXd& du) const;
 
  private:
-  using Row = Eigen::Vector4d;  // what an end of an edge has in a row of J: three for f, one for u
-
   bool serves(const Linearization& at, const Points& f) const;
   Solver_status factorize(const Linearization& at);
   void assemble(const Linearization& at);
   void add_rim_row(const Rim_directions::Row& row);
-  void add_edge(int i, int j, int k, double weight);
-  double& entry(int block_column, int block, int row, int column);
   void center(Points& df) const;
 
-  const std::vector<std::array<int, 2>> m_ends;
-  const Sparse_pattern m_graph;
   std::vector<int> m_components;  // of the vertices
-  Hermitian_sparse_matrix<double> m_matrix;
+  Class_form m_form;
   Supernodal_cholesky<double> m_solver;
-  Points m_directions;  // (f_j - f_i) / |f_j - f_i|^2, 3 x |E|
   Rim_directions m_rim;
   std::vector<Rim_directions::Row> m_rim_rows;
   State m_state;

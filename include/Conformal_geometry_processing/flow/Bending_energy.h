@@ -103,7 +103,7 @@ struct Fairing_step {
 /// a free vertex for each column, added to positions
 inline Points moved(const Fairing_patch& patch, Points f, const Points& d, double t = 1)
 {
-  for (int k = 0; k < patch.size(); ++k) f.col(patch.free_vertex(k)) += t * d.col(k);
+  f(Eigen::indexing::all, patch.free_vertices()) += t * d;
   return f;
 }
 

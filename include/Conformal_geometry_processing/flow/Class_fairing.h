@@ -1,14 +1,12 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #pragma once
 
+#include <Conformal_geometry_processing/conformal_class/Class_equations.h>
 #include <Conformal_geometry_processing/flow/Bending_energy.h>
 #include <Conformal_geometry_processing/flow/Fairing_patch.h>
-#include <Quaternionic_linear_algebra/algebra/Hermitian_sparse_matrix.h>
 #include <Quaternionic_linear_algebra/direct/Supernodal_cholesky.h>
 
 #include <Eigen/Core>
-
-#include <vector>
 
 namespace Conformal_geometry_processing::internal {
 
@@ -21,7 +19,7 @@ namespace Conformal_geometry_processing::internal {
 /// linearized constraints J (d, du) = 0, as the limit of a large weight on them, and then returns
 /// to the class by steps of least <d, K d>. The fixed points are constrained Willmore surfaces.
 ///
-/// A step is one factorization of a real matrix with blocks of 4 x 4 numbers on the free vertices.
+/// A step is one factorization of the `Class_form` of the free vertices, on the pattern of K.
 class Class_fairing {
  public:
   /// \param patch must outlive it
@@ -37,21 +35,14 @@ class Class_fairing {
   void polish(Points& f);
 
  private:
-  /// an edge with a free end, the free vertices at its ends or -1, and the logarithm of its length
-  struct Edge {
-    int i, j, unknown_i, unknown_j;
-    double log_length;
-  };
   /// positions, log scales of the free vertices, and how far edges are from the class
   struct State {
     Points f;
     Eigen::VectorXd u, residuals;
   };
 
-  void assemble(const Bending_energy& energy);
-  double& entry(int block_column, int block, int row, int column);
-  void add_edge(const Edge& edge, const Eigen::Vector3d& direction);
-  Eigen::VectorXd residuals(const Points& f, const Eigen::VectorXd& u) const;
+  void factorize(const Bending_energy& energy);
+  State state_at(Points f, Eigen::VectorXd u) const;
   /// the state moved by A^-1 (-g, 0) - A^-1 w J^T c
   State advanced(const State& state, const Points& g) const;
   /// whether the class is reached
@@ -59,11 +50,8 @@ class Class_fairing {
 
   const Fairing_patch& m_patch;
   Bending_matrix m_bending;
-  std::vector<Edge> m_edges;
-  Hermitian_sparse_matrix<double> m_matrix;
+  Class_form m_form;
   Supernodal_cholesky<double> m_solver;
-  Points m_directions;       // (f_j - f_i) / |f_j - f_i|^2 of the last factorization
-  double m_weight = 0;       // of the constraints
   double m_length = 1;       // of the last step, by the full one
   Eigen::VectorXd m_scales;  // u of the present surface
 };

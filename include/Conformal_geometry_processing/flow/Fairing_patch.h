@@ -39,8 +39,11 @@ class Fairing_patch {
   /// the free vertex k, in the patch
   int free_vertex(int k) const { return m_free[static_cast<std::size_t>(k)]; }
 
+  const std::vector<int>& free_vertices() const { return m_free; }
+
   /// which free vertex v is; -1 if it is held
   int unknown(int v) const { return m_unknowns[static_cast<std::size_t>(v)]; }
+  const std::vector<int>& unknowns() const { return m_unknowns; }
 
   bool is_free(int v) const { return unknown(v) >= 0; }
 

@@ -175,7 +175,6 @@ auto Spin_derivative::solve(Vectors b) const -> Vectors
   const auto matrix = [this](const Vectors& x, Vectors& y) { apply_matrix(x, y); };
   const auto precondition = [this](const Vectors& r, Vectors& z) {
     z = m_system.precondition(r);
-    m_solves += static_cast<int>(r.cols());
     remove_gauge(z, false);
   };
   Conjugate_gradients_options options;

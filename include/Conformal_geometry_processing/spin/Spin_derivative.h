@@ -103,9 +103,6 @@ class Spin_derivative {
   /// scaled to norm 1
   const Quaternion_vector<double>& lambda() const { return m_lambda; }
 
-  /// with the factor so far, one right-hand side each
-  int number_of_solves() const { return m_solves; }
-
   /// \brief dlambda, |V| x k, for k changes of rho.
   /// \param changes |V| or |F| x k, in 1/length
   /// \throw Solver_error if the iterations do not converge
@@ -141,7 +138,6 @@ class Spin_derivative {
   double m_tolerance;
   Eigen::VectorXd m_diagonal;        // -mu M_V, or W
   Eigen::VectorXd m_gamma_gradient;  // of -<lambda, H lambda>; empty without gamma
-  mutable int m_solves = 0;
 };
 
 }  // namespace Conformal_geometry_processing::internal

@@ -4,7 +4,6 @@
 #include <Conformal_geometry_processing/mesh/Normalized_frame.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Conformal_geometry_processing/mesh/simple_delaunay.h>
-#include <Conformal_geometry_processing/operators/vertex_graph.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
 #include <Conformal_geometry_processing/spin/certify.h>
 #include <Conformal_geometry_processing/spin/gauge.h>
@@ -53,8 +52,7 @@ Class_snap_report snap_to_class(const Mesh_view& reference, Points& positions,
 inline void resize_spins(const Mesh_view& reference, const Points& f,
                          Quaternion_vector<double>& lambda)
 {
-  const Edge_scales scales(reference, vertex_graph(reference));
-  const Eigen::VectorXd u = scales.nearest_scales(f);
+  const Eigen::VectorXd u = Edge_scales(reference).nearest_scales(f);
   for (Eigen::Index v = 0; v < u.size(); ++v)
     lambda[v] = std::exp(u[v] / 2) / norm(lambda[v]) * lambda[v];
 }

@@ -85,16 +85,6 @@ Eigen::MatrixXd weighted_orthonormalization(Eigen::MatrixXd functions,
   return functions;
 }
 
-Eigen::VectorXd weighted_singular_values(const Eigen::MatrixXd& functions,
-                                         const Eigen::VectorXd& weights)
-{
-  internal::require_weighted_functions(functions, weights);
-  if (functions.cols() == 0) return {};
-  const auto gram =
-      hermitian_eigen_decomposition(internal::weighted_gram_matrix(functions, weights));
-  return gram.values.reverse().cwiseMax(0).cwiseSqrt();
-}
-
 Eigen::VectorXd project_out(const Eigen::MatrixXd& basis, const Eigen::VectorXd& weights,
                             Eigen::VectorXd v)
 {

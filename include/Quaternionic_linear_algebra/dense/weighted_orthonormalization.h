@@ -27,13 +27,6 @@ Eigen::MatrixXd weighted_orthonormalization(Eigen::MatrixXd functions,
                                             double threshold = 1e-3);
 
 /// \ingroup PkgLinearAlgebra
-/// \brief Returns the singular values of some functions in the inner product sum_i w_i a_i b_i, in
-/// decreasing order; those below 1e-7 of the largest are rounding errors. 2 n k^2 operations.
-/// \throw Precondition_error as `weighted_orthonormalization()`
-Eigen::VectorXd weighted_singular_values(const Eigen::MatrixXd& functions,
-                                         const Eigen::VectorXd& weights);
-
-/// \ingroup PkgLinearAlgebra
 /// \brief Returns the component of v orthogonal to the span of a basis that is orthonormal with
 /// respect to the weights.
 ///

@@ -134,18 +134,6 @@ TEST(Weighted_orthonormalization, gives_the_same_bits_again)
             CGP::weighted_orthonormalization(F, weights));
 }
 
-TEST(Weighted_singular_values, are_those_of_an_orthogonal_set_by_construction)
-{
-  const Eigen::VectorXd weights = some_weights(60);
-  Eigen::MatrixXd F = CGP::weighted_orthonormalization(some_functions(60, 3), weights);
-  F.col(0) *= .25;
-  F.col(1) *= 3;
-  F.col(2) *= 1e-3;
-  const Eigen::VectorXd values = CGP::weighted_singular_values(F, weights);
-  EXPECT_LT((values - Eigen::Vector3d(3, .25, 1e-3)).cwiseAbs().maxCoeff(), 1e-12);
-  EXPECT_EQ(CGP::weighted_singular_values(Eigen::MatrixXd(60, 0), weights).size(), 0);
-}
-
 TEST(Project_out, leaves_what_is_orthogonal_with_the_weights)
 {
   const Eigen::VectorXd weights = some_weights(50);
@@ -176,7 +164,6 @@ TEST(Weighted_orthonormalization, refuses_other_sizes_bad_weights_and_bad_values
   EXPECT_EQ(message(F, weights.head(8)), "8 weights, one per row of the functions is needed: 9");
   F(4, 1) = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(message(F, weights), "function 1 has a value that is not finite");
-  EXPECT_THROW(CGP::weighted_singular_values(F, weights), CGP::Precondition_error);
   weights[5] = -2;
   EXPECT_EQ(message(F, weights), "weight 5 is -2.000000; positive numbers are needed");
   weights[5] = std::numeric_limits<double>::infinity();
