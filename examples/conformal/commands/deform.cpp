@@ -46,7 +46,7 @@ const char* const deform_about =
     "Example: conformal deform bear.off --targets lift_a_leg.json -o bear_deformed.ply";
 
 struct Deform_options {
-  Deform_options() { limits.realised = 1; }
+  Deform_options() { limits.realised_share = 1; }
 
   std::string input, targets;
   std::string expression, property;  ///< of the region; all of the surface, if both are empty
@@ -55,7 +55,7 @@ struct Deform_options {
   std::optional<double> weight;         ///< of the positions; none: exact
   std::optional<double> mollification;  ///< share of the mean edge
   bool force = false;
-  Verification_limits limits;
+  CGP::Spin_report::Limits limits;
 };
 
 void add_options(CLI::App& command, Deform_options& deform, Common_options& common)

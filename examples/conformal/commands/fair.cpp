@@ -40,7 +40,7 @@ struct Fair_options {
   bool outline = false;
   int steps = CGP::internal::Fairing_options().max_steps;
   bool force = false;
-  Verification_limits limits;
+  CGP::Spin_report::Limits limits;
 };
 
 void add_options(CLI::App& command, Fair_options& fair, Common_options& common)
@@ -115,10 +115,10 @@ void tell_fairing(const CGP::internal::Fairing_report& fairing, int faces, Repor
 }
 
 /// Of an outline no map is asked for that would be conformal; it must not be folded.
-Verification_limits limits_of(const Fair_options& options)
+CGP::Spin_report::Limits limits_of(const Fair_options& options)
 {
-  Verification_limits limits = options.limits;
-  if (options.outline) limits.quasi_conformal = std::numeric_limits<double>::infinity();
+  CGP::Spin_report::Limits limits = options.limits;
+  if (options.outline) limits.map.quasi_conformal = std::numeric_limits<double>::infinity();
   return limits;
 }
 

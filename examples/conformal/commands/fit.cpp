@@ -186,7 +186,7 @@ Fit_solution fit_surface(const Surface_input& input, const CGP::Boundary_conditi
   problem.request.direction = boundary.direction;
   problem.request.surface.mollification = share_of(options.spin.mollification);
   problem.request.surface.dirac = eigenvector_of(session.options());
-  problem.request.surface.limits = spin_limits(options.spin.limits);
+  problem.request.surface.limits = options.spin.limits;
   problem.blend = options.blend;
   Fit_solution solution = solve(input, problem, session);
   session.begin_stage();

@@ -226,36 +226,38 @@ void add_eigenvector(CLI::App& command, Common_options& common, const std::strin
       ->capture_default_str();
 }
 
-void add_map_limits(CLI::App& command, Verification_limits& limits, bool& force)
+void add_map_limits(CLI::App& command, CGP::Spin_report::Limits& limits, bool& force)
 {
   CLI::App& bounds = limit(command);
   bounds
-      .add_option("--quasi_conformal", limits.quasi_conformal,
+      .add_option("--quasi_conformal", limits.map.quasi_conformal,
                   "largest mean quasi-conformal error, over the old and over the new area")
       ->check(above_zero)
       ->capture_default_str();
-  bounds.add_option("--flipped_share", limits.flipped, "largest share of flipped faces")
+  bounds.add_option("--flipped_share", limits.map.flipped_share, "largest share of flipped faces")
       ->check(finite)
       ->capture_default_str();
   bounds
-      .add_option("--collapsed_share", limits.collapsed,
+      .add_option("--collapsed_share", limits.map.collapsed_share,
                   "largest share of the area whose lengths may shrink below a tenth of the mean")
       ->check(finite)
       ->capture_default_str();
   command.add_flag("--force", force, "write also what does not verify");
 }
 
-void add_limits(CLI::App& command, Verification_limits& limits, bool& force)
+void add_limits(CLI::App& command, CGP::Spin_report::Limits& limits, bool& force)
 {
   CLI::App& bounds = limit(command);
   bounds.add_option("--closure", limits.closure, "largest closure residual")
       ->check(above_zero)
       ->capture_default_str();
   bounds
-      .add_option("--direction_error", limits.direction_error,
-                  "by how many degrees directions at a boundary may be missed in the mean")
+      .add_option_function<double>(
+          "--direction_error",
+          [&limits](double degrees) { limits.direction_error = degrees * std::acos(-1.) / 180; },
+          "by how many degrees directions at a boundary may be missed in the mean")
       ->check(above_zero)
-      ->capture_default_str();
+      ->default_str("10");
   bounds
       .add_option("--gamma_radius", limits.gamma_radius,
                   "largest modulus of the constant that prescribed binormals add to rho, times the "
@@ -263,11 +265,12 @@ void add_limits(CLI::App& command, Verification_limits& limits, bool& force)
       ->check(above_zero)
       ->capture_default_str();
   bounds
-      .add_option("--realised_share", limits.realised,
+      .add_option("--realised_share", limits.realised_share,
                   "smallest share of the norm of rho, where handles or holes do not allow all")
       ->check(finite)
       ->capture_default_str();
-  bounds.add_option("--kept_norm", limits.kept, "likewise, where the bound on lengths does not")
+  bounds
+      .add_option("--kept_norm", limits.kept_norm, "likewise, where the bound on lengths does not")
       ->check(finite)
       ->capture_default_str();
   add_map_limits(command, limits, force);

@@ -83,9 +83,9 @@ void add_boundary(CLI::App& command, Boundary_choice& boundary);
 /// \param remark what the descriptions end with
 void add_eigenvector(CLI::App& command, Common_options& common, const std::string& remark = "");
 /// what a map is judged by
-void add_map_limits(CLI::App& command, Verification_limits& limits, bool& force);
+void add_map_limits(CLI::App& command, CGP::Spin_report::Limits& limits, bool& force);
 
 /// what a spin transformation is judged by
-void add_limits(CLI::App& command, Verification_limits& limits, bool& force);
+void add_limits(CLI::App& command, CGP::Spin_report::Limits& limits, bool& force);
 
 }  // namespace conformal

@@ -41,7 +41,7 @@ struct Spectrum_options {
   double resolution = 0.005;  ///< eigenvalues nearer than this share of the largest are told as one
   std::optional<int> surface;  ///< the eigenfunction whose surface is written
   bool force = false;
-  Verification_limits limits;
+  CGP::Spin_report::Limits limits;
 };
 
 void add_options(CLI::App& command, Spectrum_options& options, Common_options& common)

@@ -30,7 +30,7 @@ const char* const sphere_about =
 struct Sphere_options {
   int kappa = -2, s = 0, level = 5;
   bool force = false;
-  Verification_limits limits;
+  CGP::Spin_report::Limits limits;
 };
 
 void add_options(CLI::App& command, Sphere_options& options, Common_options& common)

@@ -50,7 +50,7 @@ struct Options {
   double amplitude = 1, checkpoint = 300;
   int iterations = 1000;  // a cycle of grids each, not a solve with a factor
   bool force = false, resume = false;
-  Verification_limits limits;
+  CGP::Spin_report::Limits limits;
 };
 
 /// what every process has to know

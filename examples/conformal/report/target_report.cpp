@@ -25,9 +25,9 @@ void tell_collar(const CGP::Conformality& collar, Report& report)
   report.end_table();
 }
 
-std::string fault_of_targets(const CGP::Spin_report& spin, const Verification_limits& limits)
+std::string fault_of_targets(const CGP::Spin_report& spin, const CGP::Spin_report::Limits& limits)
 {
-  if (spin.cancelled || spin.reached >= limits.realised) return "";
+  if (spin.cancelled || spin.reached >= limits.realised_share) return "";
   return "only " + text_of(100 * spin.reached, 3) +
          " % of the way to the targets lead to a surface that verifies; try: nearer targets, a "
          "finer mesh, --weight 30, or --limit realised_share";

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "Report.h"
-#include "Verification_limits.h"
 
 #include <Conformal_geometry_processing/spin/Spin_report.h>
 
@@ -22,6 +21,6 @@ void tell_collar(const CGP::Conformality& collar, Report& report);
 
 /// why a surface is refused that is not at its targets, with what to try; empty if it is near
 /// enough
-std::string fault_of_targets(const CGP::Spin_report& spin, const Verification_limits& limits);
+std::string fault_of_targets(const CGP::Spin_report& spin, const CGP::Spin_report::Limits& limits);
 
 }  // namespace conformal

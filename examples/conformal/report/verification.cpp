@@ -10,9 +10,14 @@
 namespace conformal {
 namespace {
 
+double in_degrees(double radians)
+{
+  return radians * 180 / std::acos(-1.);
+}
+
 /// Describes boundary faults that are not covered by the limits.
-std::string fault_of_boundary(const CGP::Spin_report& report, const Verification_limits& limits,
-                              const std::string& easier)
+std::string fault_of_boundary(const CGP::Spin_report& report,
+                              const CGP::Spin_report::Limits& limits, const std::string& easier)
 {
   const std::string what = CGP::to_string(report.boundary_fault);
   const bool is_part = report.reached > 0 && report.reached < 1;
@@ -21,9 +26,9 @@ std::string fault_of_boundary(const CGP::Spin_report& report, const Verification
   if (report.boundary_fault != CGP::Spin_report::Boundary_fault::none)
     return what + part + "; try: " + easier + ", or a finer mesh";
   return "directions at the boundary are missed by " +
-         text_of(report.direction_error.mean * 180 / std::acos(-1.), 3) +
-         " degrees in the mean, more than " + text_of(limits.direction_error, 3) +
-         "; try: " + easier + ", a finer mesh, or --limit direction_error";
+         text_of(in_degrees(report.direction_error.mean), 3) + " degrees in the mean, more than " +
+         text_of(in_degrees(limits.direction_error), 3) + "; try: " + easier +
+         ", a finer mesh, or --limit direction_error";
 }
 
 std::string exceeds(const std::string& what, double value, double limit)
@@ -33,7 +38,7 @@ std::string exceeds(const std::string& what, double value, double limit)
   return what + " is " + text_of(value, digits) + ", more than " + text_of(limit, 3);
 }
 
-std::string fault_of(const Evidence& evidence, const Verification_limits& limits,
+std::string fault_of(const Evidence& evidence, const CGP::Spin_report::Limits& limits,
                      const std::string& easier)
 {
   if (!evidence.fault.empty()) return evidence.fault;
@@ -44,19 +49,7 @@ std::string fault_of(const Evidence& evidence, const Verification_limits& limits
 
 }  // namespace
 
-CGP::Spin_report::Limits spin_limits(const Verification_limits& limits)
-{
-  CGP::Spin_report::Limits bounds;
-  bounds.closure = limits.closure;
-  bounds.direction_error = limits.direction_error * std::acos(-1.) / 180;
-  bounds.gamma_radius = limits.gamma_radius;
-  bounds.realised_share = limits.realised;
-  bounds.kept_norm = limits.kept;
-  bounds.map = {limits.quasi_conformal, limits.flipped, limits.collapsed};
-  return bounds;
-}
-
-Verdict judge(const Evidence& evidence, const Verification_limits& limits,
+Verdict judge(const Evidence& evidence, const CGP::Spin_report::Limits& limits,
               const std::string& easier)
 {
   Verdict verdict;
@@ -67,11 +60,11 @@ Verdict judge(const Evidence& evidence, const Verification_limits& limits,
 }
 
 std::string objection(const CGP::Spin_report& report, const CGP::Points& positions,
-                      const Verification_limits& limits, const std::string& easier)
+                      const CGP::Spin_report::Limits& limits, const std::string& easier)
 {
   using Fault = CGP::Spin_report::Fault;
   CGP::Spin_report judged = report;
-  judged.limits = spin_limits(limits);
+  judged.limits = limits;
   switch (judged.fault()) {
     case Fault::nothing_left:
       if (report.boundary_fault != CGP::Spin_report::Boundary_fault::none)
@@ -96,7 +89,7 @@ std::string objection(const CGP::Spin_report& report, const CGP::Points& positio
              ": the new surface has another mean curvature than rho says; try: " + easier +
              ", or --limit gamma_radius";
     case Fault::left_out:
-      if (report.scales.kept_norm < limits.kept)
+      if (report.scales.kept_norm < limits.kept_norm)
         return "only " + text_of(100 * report.scales.kept_norm, 3) +
                " % of the norm of rho keeps lengths within a factor of " +
                text_of(report.scales.bound, 3) +
@@ -144,25 +137,25 @@ std::string shortfall(const CGP::Spin_report& report)
                               : "--max-scale 2, a weaker rho, or a finer mesh");
 }
 
-std::string objection(const CGP::Conformality& map, const Verification_limits& limits,
+std::string objection(const CGP::Conformality& map, const CGP::Spin_report::Limits& limits,
                       const std::string& easier)
 {
   using Fault = CGP::Conformality::Fault;
-  switch (map.fault(spin_limits(limits).map)) {
+  switch (map.fault(limits.map)) {
     case Fault::not_conformal: {
       const double mean = map.quasi_conformal.mean, now = map.quasi_conformal_of_new_area;
-      const bool is_old = !(mean <= limits.quasi_conformal);
+      const bool is_old = !(mean <= limits.map.quasi_conformal);
       return exceeds(is_old ? "the mean quasi-conformal error"
                             : "the mean quasi-conformal error over the new area",
-                     is_old ? mean : now, limits.quasi_conformal) +
+                     is_old ? mean : now, limits.map.quasi_conformal) +
              "; try: " + easier + ", a finer mesh, or --limit quasi_conformal";
     }
     case Fault::flipped:
-      return exceeds("the share of flipped faces", map.flipped_share, limits.flipped) +
+      return exceeds("the share of flipped faces", map.flipped_share, limits.map.flipped_share) +
              "; try: " + easier + ", a finer mesh, or --limit flipped_share";
     case Fault::collapsed:
       return exceeds("the share of the area that has collapsed", map.scale.collapsed_share,
-                     limits.collapsed) +
+                     limits.map.collapsed_share) +
              "; try: " + easier + ", or --limit collapsed_share";
     case Fault::none:
       break;

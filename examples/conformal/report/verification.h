@@ -1,8 +1,6 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #pragma once
 
-#include "Verification_limits.h"
-
 #include <Conformal_geometry_processing/measure/Conformality.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 #include <Conformal_geometry_processing/spin/Spin_report.h>
@@ -35,12 +33,9 @@ struct Verdict {
   bool is_verified() const { return fault.empty(); }
 };
 
-/// the limits of the library's reports, in its units
-CGP::Spin_report::Limits spin_limits(const Verification_limits& limits);
-
 /// \brief Judges a result.
 /// \param easier what to try that asks for less
-Verdict judge(const Evidence& evidence, const Verification_limits& limits,
+Verdict judge(const Evidence& evidence, const CGP::Spin_report::Limits& limits,
               const std::string& easier);
 
 /// Why the solution of a Dirac equation cannot be trusted, with what to try; empty if it can.
@@ -48,10 +43,10 @@ Verdict judge(const Evidence& evidence, const Verification_limits& limits,
 /// The limits let moderate edits of scans pass (whose mean Q is below 1.05, and whose few flips are
 /// at slivers) and stop maps that are torn or crumpled.
 std::string objection(const CGP::Spin_report& report, const CGP::Points& positions,
-                      const Verification_limits& limits, const std::string& easier);
+                      const CGP::Spin_report::Limits& limits, const std::string& easier);
 
 /// Likewise, for properties of the map only.
-std::string objection(const CGP::Conformality& map, const Verification_limits& limits,
+std::string objection(const CGP::Conformality& map, const CGP::Spin_report::Limits& limits,
                       const std::string& easier);
 
 /// What a solution has realised of rho, with what to try, if that is too little; empty otherwise.

@@ -21,7 +21,7 @@ CGP::Flow_options single_steps()
 
 /// an outcome with the verdict on the evidence
 Outcome judged(const std::string& command, const Evidence& evidence,
-               const Verification_limits& limits = {})
+               const CGP::Spin_report::Limits& limits = {})
 {
   Outcome outcome;
   outcome.command = command;
@@ -79,8 +79,8 @@ void Studio_surface::deform(const std::vector<CGP::internal::Control_point>& poi
     m_deformation_bound = bound;
   }
   CGP::Spin_result result = m_deformation->deform(points);
-  Verification_limits limits;
-  limits.realised = 1;
+  CGP::Spin_report::Limits limits;
+  limits.realised_share = 1;
   const Evidence evidence{
       result.positions, result.report, {}, fault_of_targets(result.report, limits)};
   m_outcome = judged("deform", evidence, limits);

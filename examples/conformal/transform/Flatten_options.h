@@ -3,11 +3,13 @@
 
 #include "cut_open.h"
 
-#include "conformal/report/Verification_limits.h"
+#include <Conformal_geometry_processing/spin/Spin_report.h>
 
 #include <string>
 
 namespace conformal {
+
+namespace CGP = Conformal_geometry_processing;
 
 enum class Flatten_method { spectral, dirac };
 
@@ -20,7 +22,7 @@ struct Flatten_options {
   bool all_loops = false;    ///< the spread of all boundary loops is kept
   double tolerance = 1e-6;   ///< of the spectral map
   bool force = false;
-  Verification_limits limits;
+  CGP::Spin_report::Limits limits;
 };
 
 }  // namespace conformal

@@ -2,12 +2,15 @@
 #pragma once
 
 #include "conformal/input/Boundary_options.h"
-#include "conformal/report/Verification_limits.h"
+
+#include <Conformal_geometry_processing/spin/Spin_report.h>
 
 #include <optional>
 #include <string>
 
 namespace conformal {
+
+namespace CGP = Conformal_geometry_processing;
 
 enum class Balance_choice { none, initial, canonical };
 
@@ -26,7 +29,7 @@ struct Flow_options {
   bool plain = false;                       ///< as in the thesis: off the exact class, no fairing
   bool no_fairing = false;
   bool force = false;
-  Verification_limits limits;
+  CGP::Spin_report::Limits limits;
 };
 
 }  // namespace conformal

@@ -3,10 +3,10 @@
 
 #include "conformal/input/Boundary_options.h"
 #include "conformal/input/Rho_options.h"
-#include "conformal/report/Verification_limits.h"
 
 #include <Conformal_geometry_processing/spin/Dirac_solution.h>
 #include <Conformal_geometry_processing/spin/Scale_control.h>
+#include <Conformal_geometry_processing/spin/Spin_report.h>
 
 #include <optional>
 #include <string>
@@ -36,7 +36,7 @@ struct Spin_options {
   Scale_options scales;
   bool exact_class = false;       ///< length cross-ratios are kept to rounding
   std::string solver = "native";  // or cholmod, eigen
-  Verification_limits limits;
+  CGP::Spin_report::Limits limits;
 };
 
 }  // namespace conformal

@@ -58,10 +58,10 @@ void note_departures(const Spin_solution& solution, Session& session)
 }
 
 /// what is left out for handles and holes is the same share of a smaller rho, to first order
-bool is_in_vain_to_weaken(CGP::Spin_report report, const Verification_limits& limits)
+bool is_in_vain_to_weaken(CGP::Spin_report report, const CGP::Spin_report::Limits& limits)
 {
   using Fault = CGP::Spin_report::Fault;
-  report.limits = spin_limits(limits);
+  report.limits = limits;
   const Fault fault = report.fault();
   return fault == Fault::left_out || fault == Fault::nothing_left;
 }

@@ -27,7 +27,7 @@ CGP::Flow_options::Balance balance_of(Balance_choice choice)
 CGP::Conformality::Limits limits_of(const Flow_options& options)
 {
   if (options.force) return {HUGE_VAL, HUGE_VAL, HUGE_VAL};
-  return {options.limits.quasi_conformal, options.limits.flipped, options.limits.collapsed};
+  return options.limits.map;
 }
 
 CGP::Flow_options options_of(const Flow_options& options, const Common_options& common)

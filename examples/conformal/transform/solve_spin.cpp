@@ -49,7 +49,7 @@ CGP::Spin_transformation_options request_of(const Spin_options& spin, const Comm
   request.exact_conformal_class = spin.exact_class;
   request.dirac = eigenvector_of(common);
   request.dirac.problem = spin.problem;
-  request.limits = spin_limits(spin.limits);
+  request.limits = spin.limits;
   request.solvers = solvers_named(spin.solver);
   return request;
 }

@@ -4,7 +4,8 @@
 #include "solve_spin.h"
 
 #include "conformal/report/Session.h"
-#include "conformal/report/Verification_limits.h"
+
+#include <Conformal_geometry_processing/spin/Spin_report.h>
 
 #include <string>
 
@@ -15,7 +16,7 @@ namespace conformal {
 /// \param words said before those of progress
 /// \throws Failure on a signal, and exceptions of the library in the first attempt
 Spin_solution solve_twice(const CGP::Mesh_view& mesh, const Spin_problem& problem,
-                          const Verification_limits& limits, const Session& session,
+                          const CGP::Spin_report::Limits& limits, const Session& session,
                           const std::string& words = "");
 
 }  // namespace conformal

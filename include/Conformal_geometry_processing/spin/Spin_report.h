@@ -141,9 +141,9 @@ struct [[nodiscard]] Spin_report : internal::Dirac_evidence {
 
   /// bounds of what counts as success
   struct Limits {
-    double residual = 1e-4;         ///< whatever tolerance was requested
-    double closure = 0.1;           ///< of `closure_residual`
-    double direction_error = 0.18;  ///< of its mean, in radians: ten degrees
+    double residual = 1e-4;           ///< whatever tolerance was requested
+    double closure = 0.1;             ///< of `closure_residual`
+    double direction_error = 0.1745;  ///< of its mean, in radians: ten degrees
     double gamma_radius = 2;       ///< of the modulus of that: of the round sphere of the same area
     double realised_share = 0.44;  ///< the least: the norm left out is .9 then
     double kept_norm = 0.1;        ///< the least of `Scales::kept_norm`
