@@ -61,6 +61,23 @@ export interface Result {
  *  the wrong length, numbers that are not finite. */
 export class Refusal extends Error {}
 
+/** A surface that was read. */
+export interface ReadSurface {
+  /** Three numbers of each vertex. */
+  positions: Float64Array;
+  /** Polygons are cut into triangles, oriented alike and outward. */
+  triangles: Uint32Array;
+  /** Of each vertex, its number in the file. */
+  vertexInFile: Uint32Array;
+  /** What was done to it. */
+  notes: string[];
+}
+
+/** Reads a mesh file: PLY, OBJ, OFF, STL, GLB, glTF or VTK. Throws `Refusal` for what cannot be read, with the line, and for
+ *  what is not one oriented manifold of positive areas, which `repair` mends where it can.
+ *  @param name of the file, for messages and for its extension */
+export function readSurface(bytes: Uint8Array, name: string, options?: {repair?: boolean}): Promise<ReadSurface>;
+
 /** Deforms a surface without shear so that its mean curvature changes by `rho`, a number of each vertex in
  *  1 / length. A constant rho changes nothing. Computes on the thread that calls it. */
 export function spinTransform(positions: Triples, triangles: Triples, rho: Numbers,

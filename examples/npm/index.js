@@ -3,7 +3,7 @@
 // What users of the package call: see index.d.ts.
 
 import makeKernels from './kernels.js';
-import {OpenSurface, Refusal} from './surface.js';
+import {OpenSurface, Refusal, readShape} from './surface.js';
 
 export {Refusal};
 
@@ -90,6 +90,11 @@ export class Surface {
   #result({after, quality, report}) {
     return {positions: after, triangles: Uint32Array.from(this.#triangles), quality, report};
   }
+}
+
+export async function readSurface(bytes, name, {repair = false} = {}) {
+  const {points, faces, origin, notes} = readShape(await makeKernels(), {bytes, name, isRepaired: repair});
+  return {positions: points, triangles: faces, vertexInFile: origin, notes};
 }
 
 export async function spinTransform(positions, triangles, rho, options) {

@@ -6,6 +6,6 @@
 file(COPY ${PARTS}/index.js ${PARTS}/index.d.ts ${PARTS}/README.md ${PARTS}/example DESTINATION ${PACKAGE})
 configure_file(${LICENSE} ${PACKAGE}/LICENSE COPYONLY)
 file(READ ${SURFACE} surface)
-file(WRITE ${PACKAGE}/surface.js "${surface}\nexport {OpenSurface, Refusal};\n")
+file(WRITE ${PACKAGE}/surface.js "${surface}\nexport {OpenSurface, Refusal, readShape};\n")
 file(READ ${KERNELS} kernels)
 file(WRITE ${PACKAGE}/kernels.js "${kernels}\nexport default makeKernels;\n")

@@ -7,7 +7,7 @@ import {readFileSync} from 'node:fs';
 import {test} from 'node:test';
 import * as everything from 'conformal-geometry';
 
-const {Refusal, Surface, deform, spinTransform, willmoreFlow} = everything;
+const {Refusal, Surface, deform, readSurface, spinTransform, willmoreFlow} = everything;
 
 /** An octahedron, divided and pushed onto the unit sphere; its vertices are moved along it by up to `noise` edges. */
 function sphere(divisions, noise = 0) {
@@ -151,4 +151,19 @@ test('the types name what there is', () => {
   assert.deepEqual(declared.sort(), Object.keys(everything).sort());
   const methods = Object.getOwnPropertyNames(Surface.prototype).filter(name => name !== 'constructor');
   for (const method of methods) assert.match(types, new RegExp(`^  ${method}\\(`, 'm'));
+});
+
+test('files are read as the program reads them', async () => {
+  const {points, triangles} = sphere(2, .3);
+  const words = [...points.map(p => `v ${p.join(' ')}`), 'v 9 9 9', ...triangles.map(t => `f ${t.map(v => v + 1).join(' ')}`)];
+  const bytes = lines => new TextEncoder().encode(lines.join('\n') + '\n');
+  const read = await readSurface(bytes(words), 'a.obj');
+  assert.deepEqual(Array.from(read.positions), points.flat());
+  assert.deepEqual(Array.from(read.triangles), triangles.flat());
+  assert.deepEqual(Array.from(read.vertexInFile), points.map((_, v) => v));
+  assert.equal(read.notes.length, 1); // the vertex without a face
+  await assert.rejects(readSurface(bytes(['v 0 0 x']), 'a.obj'), error => error instanceof Refusal && error.message.startsWith('a.obj:1: '));
+  const twice = [...words, words.at(-1)];
+  await assert.rejects(readSurface(bytes(twice), 'a.obj'), /non-manifold/);
+  assert.equal((await readSurface(bytes(twice), 'a.obj', {repair: true})).triangles.length, 3 * triangles.length);
 });

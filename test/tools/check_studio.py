@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 """The page that `conformal studio` writes does in headless Chromium what it offers: painting by mouse,
-finger and key, formulas, pulled points, undo, the flow, refusals, saving; what it finds is what the program finds
-for the files that it saves; it asks for nothing, complains about nothing, and its memory is bounded.
+finger and key, formulas, pulled points, undo, the flow, refusals, saving, dropped files; what it finds is what
+the program finds for the files that it saves; it asks for nothing, complains about nothing, and its memory is bounded.
 
 usage: check_studio.py CONFORMAL CHROMIUM [FOLDER]   (keeps the pages and pictures in FOLDER)
 """
@@ -15,30 +15,14 @@ import sys
 import tempfile
 
 from check_example import write_off
-from check_html_report import bumpy_sphere, is_marked, leaves, require
+from check_html_report import bumpy_sphere, is_marked, require
 from devtools import browser
 from headless_page import read_png
-from studio_page import Studio
+from studio_files import check_files
+from studio_page import Studio, check_same, program
 from studio_view import check_phone, check_pointer
 
-CONTROL, MANY_STROKES, ROUNDING, GUIDED = 2, 200, 1e-6, 1e-5  # of spins; of gaps, which single precision guides
-
-
-def check_same(found, wanted, what, tolerance=ROUNDING):
-    """The numbers of both reports, but those that measure rounding."""
-    numbers = dict(leaves(wanted["result"], ""))
-    for place, value in leaves(found["result"], ""):
-        near = max(tolerance, GUIDED if place.endswith("gap") else 0)
-        if not place.endswith(("residual", "iterations", "factorizations", "solves")):
-            require(math.isclose(value, numbers[place], rel_tol=near, abs_tol=near),
-                    f"{what}: {place} is {value}, not {numbers[place]}")
-    require(found["verified"] is wanted["verified"], f"{what}: verified differs")
-
-
-def program(conformal, arguments, folder):
-    """The report of a run, and its result."""
-    subprocess.run([conformal, *arguments, "-q", "--json", "report.json"], cwd=folder, check=True)
-    return json.loads((folder / "report.json").read_text())
+CONTROL, MANY_STROKES, ROUNDING = 2, 200, 1e-6
 
 
 def points(path):
@@ -291,6 +275,7 @@ def main():
             check_touch(studio, folder / "page.html")
             studio.open(folder / "demo.html")
             check_shapes(studio, conformal)
+            check_files(studio, conformal, folder / "demo.html")
             check_pointer(studio, folder / "demo.html")
             check_phone(studio, folder / "demo.html")
             require(not page.complaints, f"the browser complains: {page.complaints}"[:2000])

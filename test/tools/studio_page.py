@@ -1,9 +1,33 @@
 # Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-"""What a person does with the page of `conformal studio`, for check_studio.py."""
+"""What a person does with the page of `conformal studio`, and what the program finds for the same files, for
+check_studio.py."""
 
 import json
+import math
+import subprocess
 import sys
 import time
+
+from check_html_report import leaves, require
+
+ROUNDING, GUIDED = 1e-6, 1e-5  # of spins; of gaps, which single precision guides
+
+
+def check_same(found, wanted, what, tolerance=ROUNDING):
+    """The numbers of both reports, but those that measure rounding."""
+    numbers = dict(leaves(wanted["result"], ""))
+    for place, value in leaves(found["result"], ""):
+        near = max(tolerance, GUIDED if place.endswith("gap") else 0)
+        if not place.endswith(("residual", "iterations", "factorizations", "solves")):
+            require(math.isclose(value, numbers[place], rel_tol=near, abs_tol=near),
+                    f"{what}: {place} is {value}, not {numbers[place]}")
+    require(found["verified"] is wanted["verified"], f"{what}: verified differs")
+
+
+def program(conformal, arguments, folder):
+    """The report of a run, and its result."""
+    subprocess.run([conformal, *arguments, "-q", "--json", "report.json"], cwd=folder, check=True)
+    return json.loads((folder / "report.json").read_text())
 
 
 class Studio:

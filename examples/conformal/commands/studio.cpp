@@ -11,9 +11,6 @@
 
 #include <Conformal_geometry_processing/version.h>
 
-#include <cstddef>
-#include <filesystem>
-
 namespace conformal {
 namespace {
 
@@ -22,7 +19,7 @@ const char* const studio_about =
     "follows: one HTML file that opens in a browser without a network. What is painted is "
     "computed\n"
     "there as `conformal spin --rho-file` would, and can be saved for it.\n"
-    "Without an input the page has four shapes to try.\n"
+    "Without an input the page has four shapes to try. Files can be dropped on it.\n"
     "Example: conformal studio bear.off -o bear.html";
 
 struct Studio_options {
@@ -43,24 +40,6 @@ void add_options(CLI::App& command, Studio_options& studio, Common_options& comm
 Files files(const Studio_options& studio)
 {
   return {{"the input", studio.input}, {"page", studio.page}};
-}
-
-/// of each vertex of the mesh, in the file before its repair
-std::vector<int> vertex_in_file(const Surface_input& input)
-{
-  std::vector<int> origin = input.vertex_in_file;
-  if (input.repair)
-    for (int& v : origin) v = input.repair->vertex_in_file[static_cast<std::size_t>(v)];
-  return origin;
-}
-
-Studio_shape shape_of(const Surface_input& input)
-{
-  const std::filesystem::path path(input.file.path);
-  const std::size_t vertices =
-      input.repair ? input.repair->new_vertex.size() : input.file.points.size();
-  return {path.filename().string(),   input.file.path,         input.mesh, vertex_in_file(input),
-          static_cast<int>(vertices), input.repair.has_value()};
 }
 
 void studio(const Studio_options& options, Session& session)

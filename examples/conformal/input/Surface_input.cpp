@@ -139,10 +139,15 @@ Surface_input prepare(Surface_file file)
   return input;
 }
 
-Surface_input read_surface_input(const std::string& path, bool is_repaired)
+namespace {
+
+Bad_faces bad_faces(bool is_repaired)
 {
-  const Bad_faces bad_faces = is_repaired ? Bad_faces::kept : Bad_faces::refused;
-  Surface_file file = read_surface(path == "-" ? "/dev/stdin" : path, bad_faces);
+  return is_repaired ? Bad_faces::kept : Bad_faces::refused;
+}
+
+Surface_input prepared(Surface_file file, bool is_repaired)
+{
   std::optional<Repair> repaired;
   std::vector<std::string> notes;
   if (is_repaired) {
@@ -158,6 +163,19 @@ Surface_input read_surface_input(const std::string& path, bool is_repaired)
     input.notes.push_back(count_of(static_cast<std::size_t>(input.coinciding), "vertex") +
                           " at the boundary on others; --repair merges them");
   return input;
+}
+
+}  // namespace
+
+Surface_input read_surface_input(const std::string& path, bool is_repaired)
+{
+  return prepared(read_surface(path == "-" ? "/dev/stdin" : path, bad_faces(is_repaired)),
+                  is_repaired);
+}
+
+Surface_input parse_surface_input(std::string_view bytes, const std::string& name, bool is_repaired)
+{
+  return prepared(parse_surface(bytes, name, bad_faces(is_repaired)), is_repaired);
 }
 
 Surface_input as_input(const CGP::Mesh_view& mesh)

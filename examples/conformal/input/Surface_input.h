@@ -8,6 +8,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace conformal {
@@ -37,6 +38,10 @@ struct Surface_input {
 /// \param is_repaired whether the file is repaired first, see `repair()`
 /// \throws Read_error; does not reject meshes for their properties
 Surface_input read_surface_input(const std::string& path, bool is_repaired = false);
+
+/// Likewise, of a file in memory; its name is for messages and for its extension.
+Surface_input parse_surface_input(std::string_view bytes, const std::string& name,
+                                  bool is_repaired = false);
 
 /// Prepares a file that was already read
 Surface_input prepare(Surface_file file);

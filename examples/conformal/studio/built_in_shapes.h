@@ -1,7 +1,7 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #pragma once
 
-#include "studio_page.h"
+#include "Studio_shape.h"
 
 #include <vector>
 

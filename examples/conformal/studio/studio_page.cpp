@@ -1,7 +1,6 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include "studio_page.h"
 
-#include "conformal/report/conformal_charts.h"
 #include "conformal/report/page_blocks.h"
 
 #include <Conformal_geometry_processing/spin/Scale_control.h>
@@ -18,12 +17,9 @@ namespace {
 std::string data_of(const Studio_shape& shape, std::size_t k)
 {
   const std::string number = "-" + std::to_string(k);
-  std::vector<double> squares;
-  for (const auto& place : conformal_charts(shape.mesh))
-    squares.insert(squares.end(), place.begin(), place.end());
   return numbers_block<double>("positions" + number, shape.mesh.positions().reshaped()) +
          faces_block("faces" + number, shape.mesh) +
-         numbers_block<float>("squares" + number, squares) +
+         numbers_block<float>("squares" + number, squares_of(shape)) +
          numbers_block<std::uint32_t>("origin" + number, shape.vertex_in_file);
 }
 

@@ -1,24 +1,13 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #pragma once
 
+#include "Studio_shape.h"
 #include "studio_frame.h"
-
-#include "conformal/report/Exhibit.h"
 
 #include <string>
 #include <vector>
 
 namespace conformal {
-
-/// a surface that the page offers
-struct Studio_shape {
-  std::string name;  ///< for the user
-  std::string file;  ///< for command lines
-  CGP::Mesh_view mesh;
-  std::vector<int> vertex_in_file = {};  ///< of each vertex of the mesh; empty: as in the mesh
-  int file_vertices = 0;                 ///< their number in the file, where that is different
-  bool is_repaired = false;              ///< the file, by --repair
-};
 
 /// \brief Creates a self-contained page on which curvature is painted, and which needs no network.
 ///

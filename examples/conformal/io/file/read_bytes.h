@@ -2,12 +2,13 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 
 namespace conformal {
 
 /// The largest file that is read, in bytes: 16 GiB, far above what indices of 31 bits can use.
-constexpr std::size_t maximum_file_size = std::size_t{1} << 34;
+constexpr std::uint64_t maximum_file_size = std::uint64_t{1} << 34;
 
 /// Returns the whole content of a file (or pipe). \throws Read_error with the system's reason for a
 /// path that is missing, a directory or unreadable, and for an empty or too large file

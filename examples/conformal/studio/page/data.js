@@ -14,8 +14,10 @@ function numbers(id, Type) {
 
 const studio = JSON.parse(text('studio'));
 
-/** A shape of the page: name, file, fileVertices, isRepaired, points, faces, squares, and where its vertices are in the file. */
+/** A shape of the page, or of a file that was opened: name, file, fileVertices, isRepaired, points, faces, squares,
+    and where its vertices are in the file. */
 function shapeOf(k) {
+  if (studio.shapes[k].points) return studio.shapes[k];
   return {...studio.shapes[k], points: numbers(`positions-${k}`, Float64Array),
           faces: numbers(`faces-${k}`, Uint32Array), squares: numbers(`squares-${k}`, Float32Array),
           origin: numbers(`origin-${k}`, Uint32Array)};

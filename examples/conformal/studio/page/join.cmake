@@ -24,7 +24,7 @@ if(THREE)
   set(code "")
   foreach(part ${reports}/geometry ${reports}/colours ${reports}/controls ${reports}/checkerboard
                ${reports}/shaders ${reports}/viewer data kernels history session brush strokes pulls formula
-               glb files certificate editor main)
+               glb files certificate editor opening main)
     cmake_path(ABSOLUTE_PATH part BASE_DIRECTORY ${here})
     file(READ ${part}.js source)
     string(APPEND code "${source}")

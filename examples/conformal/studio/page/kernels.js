@@ -48,6 +48,11 @@ class Kernels {
     });
   }
 
+  /** The shape of a file: {name, bytes, isRepaired}. */
+  read(file) {
+    return this.#ask('read', file);
+  }
+
   async #open(points, faces) {
     if (this.#surface === points) return;
     this.#surface = null;

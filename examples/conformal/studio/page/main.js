@@ -124,7 +124,10 @@ function tellDrag(event) {
 function offerShapes() {
   element('shape-choice').hidden = studio.shapes.length < 2;
   studio.shapes.forEach(({name}, k) => element('shape').add(new Option(name, k)));
-  listen('shape', 'change', () => chooseShape(Number(element('shape').value)));
+  listen('shape', 'change', () => {
+    element('file-words').hidden = element('repair').hidden = true;
+    chooseShape(Number(element('shape').value));
+  });
 }
 
 async function start() {
@@ -141,6 +144,7 @@ async function start() {
   listenToSaving();
   listenToKeys();
   listenToView();
+  listenToFiles();
   chooseTool('bulge');
   chooseShape(0);
   chooseMode(0);

@@ -19,6 +19,21 @@ function withArrays(module, arrays, call) {
   }
 }
 
+/** The surface of a mesh file: points, faces, where squares are, the numbers of its vertices in the file, and notes
+    on what was done to it. Throws what the readers of the program refuse. */
+function readShape(module, {bytes, name, isRepaired}) {
+  const isRead = withArrays(module, [bytes, new TextEncoder().encode(`${name}\0`)], (content, words) =>
+      module._studio_read(content, bytes.length, words, isRepaired));
+  const told = module.UTF8ToString(module._studio_text());
+  if (!isRead) throw new Refusal(told);
+  const {vertices, faces, ...rest} = JSON.parse(told);
+  const copy = (heap, place, size) => heap.slice(place / heap.BYTES_PER_ELEMENT, place / heap.BYTES_PER_ELEMENT + size);
+  return {...rest, points: copy(module.HEAPF64, module._studio_file_positions(), 3 * vertices),
+          faces: copy(module.HEAPU32, module._studio_file_faces(), 3 * faces),
+          squares: copy(module.HEAPF32, module._studio_file_squares(), 6 * faces),
+          origin: copy(module.HEAPU32, module._studio_file_origin(), vertices)};
+}
+
 /** A module has one at a time. Points and rho are Float64Arrays; rho is in the user's frame, whose unit is
     half the diagonal of the bounding box. A bound of at most 1 is none. */
 class OpenSurface {

@@ -10,6 +10,7 @@ self.onmessage = async ({data}) => {
   try {
     const module = await ready;
     if (data.type === 'open') surface = new OpenSurface(module, data.points, data.faces);
+    else if (data.type === 'read') Object.assign(answer, readShape(module, data));
     else Object.assign(answer, surface[data.type](data));
   } catch (error) {
     answer.error = error instanceof Refusal ? error.message

@@ -1,13 +1,18 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 // What the page calls: plain functions over arrays in the memory of the module.
+#include "conformal/studio/Studio_shape.h"
 #include "conformal/studio/Studio_surface.h"
 
 #include <Conformal_geometry_processing/spin/Scale_control.h>
 
+#include <nlohmann/json.hpp>
+
+#include <cstddef>
 #include <exception>
 #include <functional>
 #include <memory>
 #include <new>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +24,10 @@ using namespace conformal;
 
 std::unique_ptr<Studio_surface> the_surface;
 std::vector<float> the_quality;
+struct {
+  std::optional<Studio_shape> shape;
+  std::vector<float> squares;
+} the_file;            // read last
 std::string the_text;  // of the report, or of the error
 
 /// whether it succeeded; otherwise the text is that of the error
@@ -58,6 +67,42 @@ bool edit(const std::function<void()>& work)
 STUDIO_EXPORT double studio_default_bound()
 {
   return CGP::internal::default_scale_bound;
+}
+
+/// Reads a file that somebody has dropped on the page; the text tells about it.
+STUDIO_EXPORT bool studio_read(const char* bytes, int size, const char* name, bool is_repaired)
+{
+  return carry_out([&] {
+    the_file = {};
+    the_file.shape = parse_shape({bytes, static_cast<std::size_t>(size)}, name, is_repaired);
+    the_file.squares = squares_of(*the_file.shape);
+    the_text = nlohmann::json({{"vertices", the_file.shape->mesh.size_of_vertices()},
+                               {"faces", the_file.shape->mesh.size_of_faces()},
+                               {"fileVertices", the_file.shape->file_vertices},
+                               {"notes", the_file.shape->notes}})
+                   .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  });
+}
+
+STUDIO_EXPORT const double* studio_file_positions()
+{
+  return the_file.shape->mesh.positions().data();
+}
+
+STUDIO_EXPORT const int* studio_file_faces()
+{
+  return the_file.shape->mesh.corners().front().data();
+}
+
+STUDIO_EXPORT const float* studio_file_squares()
+{
+  return the_file.squares.data();
+}
+
+/// of each vertex, its number in the file
+STUDIO_EXPORT const int* studio_file_origin()
+{
+  return the_file.shape->vertex_in_file.data();
 }
 
 STUDIO_EXPORT bool studio_open(const double* positions, int vertices, const int* corners, int faces)
