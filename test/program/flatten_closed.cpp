@@ -15,8 +15,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace cgp_test::flatten_closed_tests {
+
+namespace CGP = Conformal_geometry_processing;
 
 using namespace program_test;
 using cgp_test::Mesh_view;
@@ -162,6 +168,86 @@ TEST_F(Flatten_closed, takes_handles_polygons_and_cones)
   EXPECT_EQ(file("c.off").polygons.size(), 6u);
   EXPECT_GT(file("c.off").points.size(), 8u);
   EXPECT_TRUE(fails(run("flatten cube.off --cones 3 -o d.off"), 4, "--cones"));
+}
+
+/// The lengths of each cut in the plane, by the points of its ends
+std::map<std::pair<conformal::Point, conformal::Point>, std::vector<double>> cuts_of(
+    const conformal::Surface_file& before, const conformal::Surface_file& flat)
+{
+  std::map<std::pair<conformal::Point, conformal::Point>, std::vector<double>> lengths;
+  const auto point = [](const conformal::Surface_file& file, std::size_t corner) {
+    return file.points[static_cast<std::size_t>(file.polygons.corners[corner])];
+  };
+  for (std::size_t c = 0; c < before.polygons.corners.size(); ++c) {
+    const std::size_t next = c % 3 == 2 ? c - 2 : c + 1;
+    const auto p = point(flat, c), q = point(flat, next);
+    const auto ends = std::minmax(point(before, c), point(before, next));
+    lengths[ends].push_back(std::hypot(p[0] - q[0], p[1] - q[1]));
+  }
+  return lengths;
+}
+
+TEST_F(Flatten_closed, with_cones_has_cuts_with_equal_sides_and_keeps_areas)
+{
+  for (const Mesh_view& mesh :
+       {cgp_test::bumpy_sphere(3), cgp_test::irregular_torus(3, 1, 36, 20)}) {
+    write("a.off", off(mesh));
+    double deviation = HUGE_VAL;
+    for (const int cones : {4, 16}) {
+      const std::string cut = " --cut=" + std::to_string(cones) + " --planar-mesh --json b.json";
+      ASSERT_EQ(run("flatten a.off --method spectral -o b.ply" + cut).code, 0);
+      const double free_error = json("b.json")["result"]["quasi_conformal"]["mean"];
+      ASSERT_EQ(run("flatten a.off --method cones -o b.ply" + cut).code, 0);
+      const auto result = json("b.json")["result"];
+      EXPECT_TRUE(json("b.json")["verified"]);
+      EXPECT_LT(result["quasi_conformal"]["mean"], 1.3 * free_error);
+      EXPECT_EQ(result["cones"]["vertices"].size(), static_cast<std::size_t>(cones));
+      double angles = 0;
+      for (const double angle : result["cones"]["angles"]) angles += 360 - angle;
+      EXPECT_NEAR(angles, 360 * CGP::topology(mesh).euler_characteristic(), 1e-6);
+      EXPECT_LT(result["scale"]["log_deviation"], deviation);
+      deviation = result["scale"]["log_deviation"];
+      for (const auto& [ends, lengths] : cuts_of(file("a.off"), file("b.ply"))) {
+        ASSERT_EQ(lengths.size(), 2u);
+        EXPECT_NEAR(lengths[0], lengths[1], 1e-3 * lengths[0]);
+      }
+      EXPECT_TRUE(is_disk("b.ply"));
+    }
+  }
+}
+
+// A block is flat outside its corners, which are cones of 270 degrees: its map is an isometry.
+TEST_F(Flatten_closed, with_its_corners_as_cones_unfolds_a_block)
+{
+  const Mesh_view mesh = cgp_test::block(4, 3, 2);
+  write("a.off", off(mesh));
+  std::string cones;
+  for (int v = 0; v < mesh.size_of_vertices(); ++v) {
+    const Eigen::Vector3d p = mesh.position(v);
+    const bool is_corner = (p.array() == mesh.positions().rowwise().minCoeff().array() ||
+                            p.array() == mesh.positions().rowwise().maxCoeff().array())
+                               .all();
+    if (is_corner) cones += (cones.empty() ? "" : ",") + std::to_string(v) + ":270";
+  }
+  ASSERT_EQ(run("flatten a.off --method cones --cones " + cones + " -o b.ply --json b.json").code,
+            0);
+  const auto result = json("b.json")["result"];
+  EXPECT_NEAR(result["quasi_conformal"]["max"], 1, 1e-5);
+  EXPECT_LT(result["scale"]["log_deviation"], 1e-5);
+  EXPECT_EQ(result["flipped_faces"], 0);
+}
+
+TEST_F(Flatten_closed, refuses_cones_that_do_not_fit)
+{
+  write("a.off", off(cgp_test::icosphere(2)));
+  const std::string to = "flatten a.off --method cones -o b.ply --cones ";
+  EXPECT_TRUE(fails(run(to + "0:90,1:90,2:90"), 4, "adds up to 810, wanted 720"));
+  EXPECT_TRUE(fails(run(to + "0,1"), 4, "three at least"));
+  EXPECT_TRUE(fails(run(to + "0:0,1,2"), 2, "'0:0' is no vertex"));
+  EXPECT_TRUE(fails(run(to + "x"), 2, "'x' is no vertex"));
+  EXPECT_TRUE(fails(run("flatten a.off --method cones -o b.ply"), 4, "--cut"));
+  EXPECT_EQ(run(to + "0:90,1:120,2,3 --json b.json").code, 0);
+  EXPECT_NEAR(json("b.json")["result"]["cones"]["angles"][1].get<double>(), 120, 1e-9);
 }
 
 }  // namespace cgp_test::flatten_closed_tests

@@ -4,7 +4,10 @@
 #include "option_groups.h"
 
 #include "conformal/io/data/texture_coordinates.h"
+#include "conformal/io/file/numbers.h"
+#include "conformal/process/at.h"
 #include "conformal/process/interruption.h"
+#include "conformal/process/text.h"
 #include "conformal/report/keep_exhibit.h"
 #include "conformal/transform/each_component.h"
 #include "conformal/transform/flat_image.h"
@@ -16,6 +19,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace conformal {
@@ -34,14 +42,38 @@ const char* const flatten_about =
 
 constexpr int least_tips = 4, most_tips = 64;
 
+/// `7` or `7:90`
+Cone cone_of(const std::string& word)
+{
+  const std::size_t colon = word.find(':');
+  const auto vertex = parse_integer(word.substr(0, colon));
+  std::optional<double> angle;
+  if (colon != std::string::npos) angle = parse_double(word.substr(colon + 1));
+  const bool has_angle = angle && *angle > 0 && std::isfinite(*angle);
+  const bool is_vertex = vertex && *vertex >= 0 && *vertex <= std::numeric_limits<int>::max();
+  if (!is_vertex || (colon != std::string::npos && !has_angle))
+    throw CLI::ValidationError("--cones", in_quotes(word) + " is no vertex, wanted 7 or 7:90");
+  Cone cone{static_cast<int>(*vertex)};
+  if (has_angle) cone.defect = 2 * std::acos(-1.) - *angle * std::acos(-1.) / 180;
+  return cone;
+}
+
+std::vector<Cone> cones_of(const std::vector<std::string>& words)
+{
+  std::vector<Cone> cones;
+  for (const std::string& word : words) cones.push_back(cone_of(word));
+  return cones;
+}
+
 void add_options(CLI::App& command, Flatten_options& options, Common_options& common)
 {
   add_input(command, options.input);
   add_transformation(command, common);
   CLI::Option* method =
-      add_choice(command, "--method", options.method, {"spectral", "dirac"},
+      add_choice(command, "--method", options.method, {"spectral", "dirac", "cones"},
                  "spectral (normals of the faces), or as in the thesis with those of the vertices: "
-                 "dirac, which is worse on scans");
+                 "dirac, which is worse on scans; or cones, with --cut: through cones that keep "
+                 "areas, so that both sides of cuts are equally long");
   CLI::Option* loops =
       command.add_flag("--all-loops", options.all_loops,
                        "keep the spread of all boundary loops, and not of the longest alone");
@@ -60,10 +92,11 @@ void add_options(CLI::App& command, Flatten_options& options, Common_options& co
       ->check(CLI::NonNegativeNumber)
       ->each(set_tips);
   command
-      .add_option("--cones", options.cut.cones,
-                  "cut closed surfaces open, through these vertices in place of tips: 7,12,19")
-      ->delimiter(',')
-      ->check(CLI::NonNegativeNumber);
+      .add_option_function<std::vector<std::string>>(
+          "--cones", [&options](const auto& words) { options.cut.cones = cones_of(words); },
+          "cut closed surfaces open, through these vertices in place of tips: 7,12,19; of --method "
+          "cones with angles in degrees, if you like: 7:90,12,19")
+      ->delimiter(',');
   command.add_flag("--planar-mesh", options.planar_mesh,
                    "write the flat mesh, and not the surface with texture coordinates alone; after "
                    "--cut, JSON has the number before of each vertex (vertex_before_cuts)");
@@ -111,15 +144,29 @@ struct Flat_components {
   std::vector<char> has_image;  ///< of each vertex
 };
 
-Flat_components flatten_components(const Surface_input& input, const Flatten_options& options,
+/// of a component that was cut through cones
+Seams seams_of(const Cut_surface& surface, const Component& component)
+{
+  if (surface.log_scale.size() == 0) return {};
+  std::vector<int> origin;
+  for (const int v : component.vertices) {
+    const auto copy = static_cast<std::size_t>(surface.input.vertex_in_file[at(v)]);
+    origin.push_back(surface.origin[copy]);
+  }
+  return CGP::internal::seams_of(component.input.mesh, origin,
+                                 surface.log_scale(component.vertices));
+}
+
+Flat_components flatten_components(const Cut_surface& surface, const Flatten_options& options,
                                    Session& session)
 {
+  const Surface_input& input = surface.input;
   const int n = input.mesh.size_of_vertices();
   Flat_components flat{CGP::Points::Zero(3, n), std::vector<char>(static_cast<std::size_t>(n), 0)};
   each_component(input, session, [&](const Component& component, Session& own) {
     require_boundary(component.input);
     flat.positions(Eigen::indexing::all, component.vertices) =
-        flat_image(component.input, options, own);
+        flat_image(component.input, seams_of(surface, component), options, own);
     for (const int v : component.vertices) flat.has_image[static_cast<std::size_t>(v)] = 1;
   });
   if (session.options().each_component) place_apart(input.mesh, flat.positions);
@@ -160,7 +207,24 @@ Surface_input read_input(const Flatten_options& options, Session& session)
 Cut_surface opened(const Surface_input& input, const Cut_options& options)
 {
   if (options.is_cut()) return cut_open(input, options);
-  return {input, {}};
+  return {input, {}, {}, {}};
+}
+
+/// which cones the metric has
+void tell(const std::vector<Cone>& cones, Report& report)
+{
+  if (cones.empty()) return;
+  std::vector<int> vertices;
+  std::vector<double> angles;
+  for (const Cone& cone : cones) {
+    vertices.push_back(cone.vertex);
+    angles.push_back(360 - *cone.defect * 180 / std::acos(-1.));
+  }
+  const auto [least, greatest] = std::minmax_element(angles.begin(), angles.end());
+  report.show("cones", std::to_string(cones.size()) + ", of " + text_of(*least, 4) + " to " +
+                           text_of(*greatest, 4) + " degrees");
+  report.set("result/cones/vertices", std::move(vertices));
+  report.set("result/cones/angles", std::move(angles));
 }
 
 /// a surface that is cut where it was closed, and its image
@@ -175,9 +239,10 @@ Opened_image open_and_flatten(const Surface_input& input, Flatten_options& optio
 {
   for (;; options.cut.tips *= 2) {
     const Outcome before = session.outcome();
-    Cut_surface surface = opened(input, options.cut);
     try {
-      Flat_components flat = flatten_components(surface.input, options, session);
+      Cut_surface surface = opened(input, options.cut);
+      tell(surface.cones, session.report());
+      Flat_components flat = flatten_components(surface, options, session);
       return {std::move(surface), std::move(flat)};
     } catch (const Failure& failure) {
       const bool can_go_on = options.cut.finds_tips && options.cut.tips < most_tips;
@@ -205,6 +270,7 @@ Surface_file file_of(const Cut_surface& surface, Surface_file&& before, const Fl
 void flatten(const Flatten_options& given, Session& session)
 {
   Flatten_options options = given;
+  options.cut.makes_flat = options.method == Flatten_method::cones;
   const std::string& output = session.options().output;
   require_writable(output);
   const Surface_input input = read_input(options, session);

@@ -80,6 +80,7 @@ void tell_scale(const CGP::internal::Area_distortion& scale, Report& report)
   report.set("result/scale/collapsed_share", scale.collapsed_share);
   report.set("result/scale/min", scale.min_scale);
   report.set("result/scale/max", scale.max_scale);
+  report.set("result/scale/log_deviation", scale.log_deviation);
   report.set("result/scale/histogram/low", std::exp2(-scale.octaves));
   report.set("result/scale/histogram/high", std::exp2(scale.octaves));
   report.set("result/scale/histogram/share",

@@ -11,7 +11,7 @@ namespace conformal {
 
 namespace CGP = Conformal_geometry_processing;
 
-enum class Flatten_method { spectral, dirac };
+enum class Flatten_method { spectral, dirac, cones };
 
 struct Flatten_options {
   std::string input;

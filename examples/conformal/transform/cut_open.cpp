@@ -4,12 +4,14 @@
 #include "cut_graph.h"
 
 #include "conformal/process/Failure.h"
+#include "conformal/process/text.h"
 #include "conformal/repair/separate_fans.h"
 
 #include <Conformal_geometry_processing/mesh/Mesh_component.h>
 #include <Conformal_geometry_processing/mesh/topology.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -39,38 +41,105 @@ Edge_set edges_of_file(const Surface_input& input, const Mesh_component& compone
   return edges;
 }
 
-/// the given cones that lie on the component, or else its tips
-std::vector<int> ends_of_cut(const Surface_input& input, const Mesh_component& component,
-                             const Cut_options& options, const Edge_set& ways)
+/// the given cones that lie on the component
+std::vector<Cone> given_cones(const Surface_input& input, const Mesh_component& component,
+                              const Cut_options& options)
 {
-  if (options.cones.empty()) return find_tips(component.mesh, std::max(options.tips, 2), ways);
-  std::vector<int> found;
-  for (int v = 0; v < component.mesh.size_of_vertices(); ++v) {
-    const int i = vertex_in_file(input, component, v);
-    if (std::find(options.cones.begin(), options.cones.end(), i) != options.cones.end())
-      found.push_back(v);
-  }
+  std::vector<Cone> found;
+  for (int v = 0; v < component.mesh.size_of_vertices(); ++v)
+    for (const Cone& cone : options.cones)
+      if (cone.vertex == vertex_in_file(input, component, v)) found.push_back({v, cone.defect});
   const bool is_sphere = CGP::topology(component.mesh).is_sphere();
-  if (found.empty() || (is_sphere && found.size() < 2))
+  if (!options.cones.empty() && (found.empty() || (is_sphere && found.size() < 2)))
     throw unsuitable(input.file.path,
                      "--cones wants vertices of each closed component, two at least of a sphere; "
                      "try: --cut, which finds them");
   return found;
 }
 
-void add_cut(const Surface_input& input, const Mesh_component& component,
-             const Cut_options& options, std::vector<Corner_fans::Edge>& cuts)
-{
-  const Edge_set ways = edges_of_file(input, component);
-  const Edge_set cut =
-      cut_graph(component.mesh, ends_of_cut(input, component, options, ways), ways);
-  for (int k = 0; k < component.mesh.size_of_edges(); ++k) {
-    if (!cut[static_cast<std::size_t>(k)]) continue;
-    const auto& ends = component.mesh.ends(k);
-    const auto [a, b] = std::minmax(
-        {vertex_in_file(input, component, ends[0]), vertex_in_file(input, component, ends[1])});
-    cuts.push_back({a, b});
+/// Where a closed component is cut, and what becomes of its metric
+class Opening {
+ public:
+  Opening(const Surface_input& input, const Mesh_component& component, const Cut_options& options)
+      : m_input(input), m_component(component), m_ways(edges_of_file(input, component))
+  {
+    const std::vector<Cone> given = given_cones(input, component, options);
+    if (options.makes_flat)
+      flatten(given, options);
+    else if (given.empty())
+      m_ends = find_tips(component.mesh, std::max(options.tips, 2), m_ways);
+    for (const Cone& cone : options.makes_flat ? m_cones : given) m_ends.push_back(cone.vertex);
   }
+
+  void add_cut(std::vector<Corner_fans::Edge>& cuts) const
+  {
+    const CGP::Mesh_view& mesh = m_component.mesh;
+    const Edge_set cut = cut_graph(mesh, m_ends, m_ways);
+    for (int k = 0; k < mesh.size_of_edges(); ++k) {
+      if (!cut[static_cast<std::size_t>(k)]) continue;
+      const auto [a, b] = std::minmax({in_file(mesh.ends(k)[0]), in_file(mesh.ends(k)[1])});
+      cuts.push_back({a, b});
+    }
+  }
+
+  /// \param log_scale of each vertex of the file
+  void add_metric(std::vector<double>& log_scale, std::vector<Cone>& cones) const
+  {
+    for (int v = 0; v < m_log_scale.size(); ++v)
+      log_scale[static_cast<std::size_t>(in_file(v))] = m_log_scale[v];
+    for (const Cone& cone : m_cones) cones.push_back({in_file(cone.vertex), cone.defect});
+  }
+
+ private:
+  int in_file(int v) const { return vertex_in_file(m_input, m_component, v); }
+
+  void flatten(const std::vector<Cone>& given, const Cut_options& options)
+  {
+    const CGP::Mesh_view& mesh = m_component.mesh;
+    const int least = CGP::topology(mesh).is_sphere() ? 3 : 1;
+    const int count =
+        given.empty() ? std::max(options.tips, least) : static_cast<int>(given.size());
+    if (count < least)
+      throw unsuitable(m_input.file.path,
+                       "a sphere that is flat outside its cones has three at least");
+    CGP::internal::Cone_metric metric =
+        CGP::internal::place_cones(mesh, std::min(count, mesh.size_of_vertices()), given);
+    require_sum(metric.cones);
+    m_cones = std::move(metric.cones);
+    m_log_scale = std::move(metric.log_scale);
+  }
+
+  /// Gauss and Bonnet: angles that are all given may not fit.
+  void require_sum(const std::vector<Cone>& cones) const
+  {
+    const double degrees = 180 / std::acos(-1.);
+    const double wanted = 360 * CGP::topology(m_component.mesh).euler_characteristic();
+    double sum = 0;
+    for (const Cone& cone : cones) sum += *cone.defect * degrees;
+    if (std::abs(sum - wanted) < 1e-6) return;
+    throw unsuitable(m_input.file.path,
+                     "what the angles of the cones lack of 360 degrees adds up to " +
+                         text_of(sum, 8) + ", wanted " + text_of(wanted, 8) +
+                         "; try: no angle for one of them");
+  }
+
+  const Surface_input& m_input;
+  const Mesh_component& m_component;
+  Edge_set m_ways;
+  std::vector<int> m_ends;
+  std::vector<Cone> m_cones;
+  Eigen::VectorXd m_log_scale;
+};
+
+/// What was known of the vertices of the file before, at those of the mesh
+Eigen::VectorXd at_copies(const std::vector<double>& values, const Cut_surface& surface)
+{
+  Eigen::VectorXd result(surface.input.mesh.size_of_vertices());
+  for (int v = 0; v < result.size(); ++v) {
+    const int copy = surface.input.vertex_in_file[static_cast<std::size_t>(v)];
+    result[v] = values[static_cast<std::size_t>(surface.origin[static_cast<std::size_t>(copy)])];
+  }
+  return result;
 }
 
 }  // namespace
@@ -78,13 +147,21 @@ void add_cut(const Surface_input& input, const Mesh_component& component,
 Cut_surface cut_open(const Surface_input& input, const Cut_options& options)
 {
   std::vector<Corner_fans::Edge> cuts;
-  for (const Mesh_component& component : CGP::mesh_components(input.mesh))
-    if (CGP::topology(component.mesh).is_closed()) add_cut(input, component, options, cuts);
+  std::vector<double> log_scale(input.file.points.size(), 0);
+  Cut_surface surface;
+  for (const Mesh_component& component : CGP::mesh_components(input.mesh)) {
+    if (!CGP::topology(component.mesh).is_closed()) continue;
+    const Opening opening(input, component, options);
+    opening.add_cut(cuts);
+    opening.add_metric(log_scale, surface.cones);
+  }
   std::sort(cuts.begin(), cuts.end());
   Surface_file file = input.file;
   const Corner_fans fans(file.polygons, cuts);
-  std::vector<int> origin = separate_fans(file, fans).vertex_in_file;
-  return {prepare(std::move(file)), std::move(origin)};
+  surface.origin = separate_fans(file, fans).vertex_in_file;
+  surface.input = prepare(std::move(file));
+  if (options.makes_flat) surface.log_scale = at_copies(log_scale, surface);
+  return surface;
 }
 
 }  // namespace conformal

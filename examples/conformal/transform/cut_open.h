@@ -3,15 +3,22 @@
 
 #include "conformal/input/Surface_input.h"
 
+#include <Conformal_geometry_processing/parameterization/cones.h>
+
+#include <Eigen/Core>
+
 #include <vector>
 
 namespace conformal {
+
+using CGP::internal::Cone;
 
 /// where closed surfaces are cut
 struct Cut_options {
   int tips = 0;             ///< how many are looked for, on each component; 0: it is not cut
   bool finds_tips = false;  ///< twice as many, where the image does not verify with them
-  std::vector<int> cones;   ///< vertices of the file that the cut reaches, in place of tips
+  std::vector<Cone> cones;  ///< vertices of the file that the cut reaches, in place of tips
+  bool makes_flat = false;  ///< gives the surface a metric that is flat outside the cones
 
   bool is_cut() const { return tips > 0 || !cones.empty(); }
 };
@@ -20,10 +27,14 @@ struct Cut_options {
 struct Cut_surface {
   Surface_input input;
   std::vector<int> origin;  ///< of each vertex of `input.file`: its number in the file before
+  Eigen::VectorXd
+      log_scale;            ///< of the flat metric, at the vertices of `input.mesh`, if it is made
+  std::vector<Cone> cones;  ///< of that, at vertices of the file before
 };
 
 /// \brief Cuts closed components to disks, along the edges of the file; see `cut_graph()`.
-/// \throws Failure if a cone is no vertex of a closed component, or alone on a sphere
+/// \throws Failure if a cone is no vertex of a closed component, or alone on a sphere, or if the
+/// angles of cones do not fit the surface
 Cut_surface cut_open(const Surface_input& input, const Cut_options& options);
 
 }  // namespace conformal

@@ -23,7 +23,7 @@ namespace {
 /// what to try where a method fails
 std::string other_ways(const Flatten_options& options)
 {
-  if (options.method == Flatten_method::dirac) return "--method spectral";
+  if (options.method != Flatten_method::spectral) return "--method spectral";
   if (!options.cut.is_cut()) return "to cut the surface open, or remove slivers";
   if (options.cut.finds_tips) return "to remove slivers: 4 to 64 tips of cuts were tried";
   const int tips = 2 * std::max(options.cut.tips, static_cast<int>(options.cut.cones.size()));
@@ -47,6 +47,8 @@ void tell(const Flat_distortion& distortion, int faces, Report& report)
     report.show("faces without area in the plane, not measured",
                 std::to_string(distortion.collapsed) + " of " + std::to_string(faces));
   tell_conformality(distortion.map, faces - distortion.collapsed, report);
+  report.show("standard deviation of the log of the scale",
+              text_of(distortion.map.scale.log_deviation, 3));
   const auto& Q = distortion.uniform_quasi_conformal;
   report.tell("result/uniform_quasi_conformal/mean", "quasi-conformal error, mean of faces",
               Q.mean);
@@ -97,10 +99,11 @@ Flat_image judged(const Surface_input& input, CGP::Points positions, const std::
   return {std::move(positions), verdict};
 }
 
-Flat_image spectral_image(const Surface_input& input, const Flatten_options& options,
-                          Session& session)
+Flat_image spectral_image(const Surface_input& input, const Seams& seams,
+                          const Flatten_options& options, Session& session)
 {
   CGP::Parameterization_options how;
+  how.seams = seams;
   if (options.method == Flatten_method::dirac)
     how.normals = CGP::Parameterization_options::Normals::of_vertices;
   if (options.all_loops) how.boundary = CGP::Parameterization_options::Boundary::all_loops;
@@ -159,13 +162,14 @@ Flat_image planar_image(const Surface_input& input, const Flatten_options& optio
 
 }  // namespace
 
-CGP::Points flat_image(const Surface_input& input, const Flatten_options& options, Session& session)
+CGP::Points flat_image(const Surface_input& input, const Seams& seams,
+                       const Flatten_options& options, Session& session)
 {
-  const char* const methods[] = {"spectral", "dirac"};
+  const char* const methods[] = {"spectral", "dirac", "cones"};
   session.report().set("result/method",
                        options.planar ? "planar" : methods[static_cast<int>(options.method)]);
   const Flat_image image = options.planar ? planar_image(input, options, session)
-                                          : spectral_image(input, options, session);
+                                          : spectral_image(input, seams, options, session);
   throw_if_interrupted();
   session.end_stage("solve");
   session.conclude(image.verdict, on_fault(options.force));

@@ -157,6 +157,9 @@ void certify(const Mesh_view& mesh, const Eigen::VectorXcd& z, Parameterization_
   report.converged = report.converged && z.allFinite();
 }
 
+/// against the energy, which is dimensionless: the sides of a seam differ by its inverse
+const double seam_stiffness = 1e5;
+
 Eigen::VectorXcd least_energy_map(const Mesh_view& mesh, const std::vector<Vertex_loop>& loops,
                                   const Parameterization_options& options,
                                   Parameterization_report& report, const std::string& function)
@@ -165,7 +168,8 @@ Eigen::VectorXcd least_energy_map(const Mesh_view& mesh, const std::vector<Verte
   const auto graph = vertex_graph(mesh);
   Stopwatch watch;
   if (options.normals == Parameterization_options::Normals::of_faces) {
-    const auto energy = conformal_energy(mesh, graph);
+    auto energy = conformal_energy(mesh, graph_with_seams(mesh, options.seams));
+    add_seams(options.seams, seam_stiffness, energy);
     report.seconds.assembly = watch.lap();
     return Least_energy_map(mesh, loops, options.solvers, function).find(energy, subspace, report);
   }

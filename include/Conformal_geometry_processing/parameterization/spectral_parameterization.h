@@ -10,6 +10,7 @@
 #include <Conformal_geometry_processing/parameterization/conformal_energy.h>
 #include <Conformal_geometry_processing/parameterization/normalized_boundary.h>
 #include <Conformal_geometry_processing/parameterization/place_in_plane.h>
+#include <Conformal_geometry_processing/parameterization/seams.h>
 #include <Quaternionic_linear_algebra/direct/Solver_ref.h>
 #include <Quaternionic_linear_algebra/direct/Stopwatch.h>
 #include <Quaternionic_linear_algebra/exceptions.h>
@@ -127,6 +128,8 @@ struct Parameterization_options {
   double tolerance = 1e-6;  ///< of the relative error of the map in the norm of the energy
   int maximum_number_of_iterations = 100;
   Map_solvers solvers = {};  ///< for the linear systems
+  /// edges whose two sides are to have images that differ by given rotations; of faces' normals
+  std::vector<internal::Seam> seams = {};
 };
 
 namespace internal {

@@ -1,0 +1,157 @@
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#include <Conformal_geometry_processing/parameterization/cones.h>
+
+#include <Conformal_geometry_processing/mesh/normals.h>
+#include <Conformal_geometry_processing/operators/cotan_laplacian.h>
+#include <Conformal_geometry_processing/operators/mass_matrices.h>
+#include <Conformal_geometry_processing/operators/vertex_graph.h>
+#include <Quaternionic_linear_algebra/direct/Grounded_solver.h>
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace Conformal_geometry_processing::internal {
+namespace {
+
+const double pi = std::acos(-1.);
+
+/// The variance of u = u_0 + sum of defect_c g_c over the area, where L g_c is the Dirac measure of
+/// cone c
+class Scale_variance {
+ public:
+  /// \param count of cones that are to come
+  Scale_variance(const Mesh_view& mesh, int count)
+      : m_solver(vertex_graph(mesh)),
+        m_areas(vertex_areas(mesh) / vertex_areas(mesh).sum()),
+        m_curvature(angle_defects(mesh))
+  {
+    m_solver.factorize(cotan_laplacian(mesh));
+    m_u = centred(m_solver.solve(m_curvature.sum() * m_areas - m_curvature));
+    m_responses.resize(m_areas.size(), 0);
+    m_largest = std::max(pi, m_curvature.sum() / count);
+    m_least = std::min(-pi, m_curvature.sum() / count);
+  }
+
+  int size_of_cones() const { return static_cast<int>(m_cones.size()); }
+
+  Cone_metric metric() const
+  {
+    Cone_metric metric{m_cones, scale()};
+    for (std::size_t c = 0; c < m_cones.size(); ++c)
+      metric.cones[c].defect = m_defects[static_cast<Eigen::Index>(c)];
+    return metric;
+  }
+
+  void add(const Cone& cone)
+  {
+    m_cones.push_back(cone);
+    Eigen::VectorXd source = -m_areas;
+    source[cone.vertex] += 1;
+    m_responses.conservativeResize(Eigen::NoChange, m_responses.cols() + 1);
+    m_responses.rightCols<1>() = centred(m_solver.solve(source));
+    minimize();
+  }
+
+  /// The vertex where a cone changes the variance most, for a small defect that the others lose
+  int best_vertex() const
+  {
+    const Eigen::VectorXd slope = m_solver.solve(m_areas.cwiseProduct(scale()));
+    Eigen::VectorXd gain = -slope;  // of a first positive defect
+    const std::vector<Eigen::Index> free = free_cones();
+    if (!free.empty()) {
+      double level = 0;
+      for (const Eigen::Index c : free) level += slope[m_cones[static_cast<std::size_t>(c)].vertex];
+      gain = (slope.array() - level / static_cast<double>(free.size())).abs();
+    }
+    for (const Cone& cone : m_cones) gain[cone.vertex] = -HUGE_VAL;
+    Eigen::Index best = 0;
+    gain.maxCoeff(&best);
+    return static_cast<int>(best);
+  }
+
+ private:
+  Eigen::VectorXd centred(Eigen::VectorXd u) const
+  {
+    u.array() -= m_areas.dot(u);
+    return u;
+  }
+
+  Eigen::VectorXd scale() const { return m_u + m_responses * m_defects; }
+
+  /// those whose defects are not given, and have not reached a bound
+  std::vector<Eigen::Index> free_cones() const
+  {
+    std::vector<Eigen::Index> free;
+    for (std::size_t c = 0; c < m_cones.size(); ++c) {
+      const double defect = m_defects[static_cast<Eigen::Index>(c)];
+      const bool is_inside = m_least < defect && defect < m_largest;
+      if (!m_cones[c].defect && is_inside) free.push_back(static_cast<Eigen::Index>(c));
+    }
+    return free;
+  }
+
+  /// Finds the defects; those beyond a bound are set to it, one after the other.
+  void minimize()
+  {
+    m_defects.resize(size_of_cones());
+    for (int c = 0; c < size_of_cones(); ++c)
+      m_defects[c] = m_cones[static_cast<std::size_t>(c)].defect.value_or(0);
+    for (auto free = free_cones(); !free.empty(); free = free_cones()) {
+      const Eigen::VectorXd defects = least_variance(free);
+      const Eigen::VectorXd within = defects.cwiseMin(m_largest).cwiseMax(m_least);
+      Eigen::Index worst = 0;
+      if ((defects - within).cwiseAbs().maxCoeff(&worst) == 0 || free.size() == 1) {
+        m_defects(free) = defects;
+        return;
+      }
+      m_defects(free).setZero();
+      m_defects[free[static_cast<std::size_t>(worst)]] = within[worst];
+    }
+  }
+
+  /// The defects of the free cones, the others given: a quadratic problem with one constraint
+  Eigen::VectorXd least_variance(const std::vector<Eigen::Index>& free) const
+  {
+    const auto n = static_cast<Eigen::Index>(free.size());
+    const Eigen::MatrixXd g = m_responses(Eigen::indexing::all, free);
+    Eigen::MatrixXd A = Eigen::MatrixXd::Zero(n + 1, n + 1);
+    A.topLeftCorner(n, n) = g.transpose() * m_areas.asDiagonal() * g;
+    A.row(n).head(n).setOnes();
+    A.col(n).head(n).setOnes();
+    Eigen::VectorXd b(n + 1);
+    b.head(n) = -g.transpose() * m_areas.cwiseProduct(scale());  // in which theirs are zero
+    b[n] = m_curvature.sum() - m_defects.sum();
+    return A.fullPivLu().solve(b).head(n);
+  }
+
+  Grounded_solver m_solver;
+  Eigen::VectorXd m_areas, m_curvature, m_u;
+  Eigen::MatrixXd m_responses;  // |V| x cones
+  std::vector<Cone> m_cones;    // as they are wanted
+  Eigen::VectorXd m_defects;
+  double m_least = 0, m_largest = 0;  // of them
+};
+
+}  // namespace
+
+Eigen::VectorXd angle_defects(const Mesh_view& mesh)
+{
+  Eigen::VectorXd defects = Eigen::VectorXd::Constant(mesh.size_of_vertices(), 2 * pi);
+  for (int f = 0; f < mesh.size_of_faces(); ++f)
+    for (int c = 0; c < 3; ++c)
+      defects[mesh.corners(f)[static_cast<std::size_t>(c)]] -= corner_angle(mesh.sheet(f), c);
+  return defects;
+}
+
+Cone_metric place_cones(const Mesh_view& mesh, int count, const std::vector<Cone>& first)
+{
+  Scale_variance variance(mesh, count);
+  for (const Cone& cone : first) variance.add(cone);
+  while (variance.size_of_cones() < count) variance.add({variance.best_vertex()});
+  return variance.metric();
+}
+
+}  // namespace Conformal_geometry_processing::internal

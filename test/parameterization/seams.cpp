@@ -1,0 +1,105 @@
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#include <Conformal_geometry_processing/parameterization/conformal_energy.h>
+#include <Conformal_geometry_processing/parameterization/seams.h>
+#include <Conformal_geometry_processing/parameterization/spectral_parameterization.h>
+
+#include <gtest/gtest.h>
+
+#include "flat_maps.h"
+#include "support/dense.h"
+#include "support/mesh_tools.h"
+
+#include <cmath>
+#include <complex>
+#include <vector>
+
+namespace cgp_test::seams_tests {
+
+namespace CGP = Conformal_geometry_processing;
+using CGP::internal::Seam;
+
+/// A flat sector of a disk, whose two straight sides are one line of a cone
+struct Sector {
+  Mesh_view mesh;
+  std::vector<int> origin;
+};
+
+Sector sector(double angle, int rings, int parts)
+{
+  const auto vertex = [&](int ring, int part) {
+    return ring == 0 ? 0 : 1 + (ring - 1) * (parts + 1) + part;
+  };
+  Points points = Points::Zero(3, vertex(rings, parts) + 1);
+  Sector made{{}, std::vector<int>(static_cast<std::size_t>(points.cols()), 0)};
+  Mesh_view::Corners corners;
+  for (int i = 1; i <= rings; ++i)
+    for (int k = 0; k <= parts; ++k) {
+      const double a = angle * k / parts,
+                   r = double(i) / rings * (1 + .1 * std::sin(7. * k + i) * (k % parts != 0));
+      points.col(vertex(i, k)) = Eigen::Vector3d(r * std::cos(a), r * std::sin(a), 0);
+      made.origin[static_cast<std::size_t>(vertex(i, k))] = vertex(i, k % parts);
+      if (k == parts) continue;
+      corners.push_back({vertex(i - 1, k), vertex(i, k), vertex(i, k + 1)});
+      if (i > 1) corners.push_back({vertex(i - 1, k), vertex(i, k + 1), vertex(i - 1, k + 1)});
+    }
+  made.mesh = Mesh_view(points, corners);
+  return made;
+}
+
+TEST(Seams, of_a_flat_cone_are_turned_by_its_angle)
+{
+  for (const double angle : {1., 3., 5.5}) {
+    const Sector cone = sector(angle, 5, 14);
+    const Eigen::VectorXd u = Eigen::VectorXd::Zero(cone.mesh.size_of_vertices());
+    const Eigen::VectorXcd z = plane_points(cone.mesh);
+    const std::vector<Seam> seams = CGP::internal::seams_of(cone.mesh, cone.origin, u);
+    ASSERT_EQ(seams.size(), 5u);
+    for (const Seam& seam : seams) {
+      EXPECT_NEAR(std::abs(seam.rotation), 1, 1e-14);
+      EXPECT_NEAR(std::cos(std::arg(seam.rotation)), std::cos(angle), 1e-12);
+      EXPECT_LT(std::abs(z[seam.right[1]] - z[seam.right[0]] -
+                         seam.rotation * (z[seam.left[1]] - z[seam.left[0]])),
+                1e-12);
+    }
+  }
+}
+
+// The energy of springs is zero for maps that obey them, and counts the squares of what others
+// miss.
+TEST(Seams, add_the_squares_of_what_they_miss)
+{
+  const Sector cone = sector(2, 4, 9);
+  const Eigen::VectorXd u = Eigen::VectorXd::Random(cone.mesh.size_of_vertices());
+  const std::vector<Seam> seams = CGP::internal::seams_of(cone.mesh, cone.origin, u);
+  auto energy = CGP::conformal_energy(cone.mesh, CGP::internal::graph_with_seams(cone.mesh, seams));
+  const Eigen::VectorXcd z = Eigen::VectorXcd::Random(u.size());
+  const double before = std::real(z.dot(energy * z));
+  EXPECT_NEAR(before, std::real(z.dot(CGP::conformal_energy(cone.mesh) * z)), 1e-12 * before);
+  CGP::internal::add_seams(seams, 3, energy);
+  double missed = 0;
+  for (const Seam& seam : seams)
+    missed += std::norm(z[seam.right[1]] - z[seam.right[0]] -
+                        seam.rotation * (z[seam.left[1]] - z[seam.left[0]]));
+  EXPECT_NEAR(std::real(z.dot(energy * z)), before + 3 * missed, 1e-11 * before);
+}
+
+TEST(Seams, are_kept_by_the_spectral_parameterization)
+{
+  const Sector cone = sector(4, 8, 30);
+  const Mesh_view bent = mapped(cone.mesh, [](const Eigen::Vector3d& p) {
+    return Eigen::Vector3d(p.x(), p.y(), .4 * p.norm() * p.norm());
+  });
+  CGP::Parameterization_options options;
+  options.seams = CGP::internal::seams_of(cone.mesh, cone.origin,
+                                          Eigen::VectorXd::Zero(bent.size_of_vertices()));
+  const auto [z, report] = CGP::spectral_parameterization(bent, options);
+  ASSERT_TRUE(report);
+  EXPECT_EQ(report.conformality.flipped_faces, 0);
+  for (const Seam& seam : options.seams) {
+    const std::complex<double> left = z[seam.left[1]] - z[seam.left[0]];
+    EXPECT_LT(std::abs(z[seam.right[1]] - z[seam.right[0]] - seam.rotation * left),
+              1e-3 * std::abs(left));
+  }
+}
+
+}  // namespace cgp_test::seams_tests
