@@ -26,6 +26,7 @@ PROGRAM_LEVEL = {
     "io/file": 1,
     "io/data": 2, "process": 2,
     "io/csv": 3, "io/glb": 3, "io/obj": 3, "io/off": 3, "io/picture": 3, "io/ply": 3, "io/stl": 3, "io/svg": 3,
+    "io/usd": 3, "io/vtk": 3,
     "io": 4,
     "repair": 5,
     "input": 6,

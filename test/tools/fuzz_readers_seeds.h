@@ -114,6 +114,47 @@ inline std::vector<std::string> stl_seeds()
       binary_stl()};
 }
 
+/// as texts of the versions 3 and 5
+inline std::vector<std::string> vtk_seeds()
+{
+  return {
+      "# vtk DataFile Version 3.0\na square\nASCII\nDATASET POLYDATA\nPOINTS 4 float\n0 0 0 1 0 0\n"
+      "1 1 0 0 1 0\nLINES 1 3\n2 0 1\nPOLYGONS 2 8\n3 0 1 2\n3 0 2 3\nPOINT_DATA 4\n"
+      "SCALARS rho double 1\nLOOKUP_TABLE default\n0 .5 1 2\nVECTORS wind float\n1 0 0 0 1 0 0 0 "
+      "1 1 1 1\nTEXTURE_COORDINATES t 2 float\n0 0 1 0 1 1 0 1\nCOLOR_SCALARS c 3\n1 0 0 0 1 0 "
+      "0 0 1 .5 .5 .5\nCELL_DATA 3\nFIELD FieldData 1\nan%20id 1 3 int\n-1 7 8\n",
+      "# vtk DataFile Version 5.1\na square\nASCII\nDATASET POLYDATA\nPOINTS 4 double\n0 0 0 1 0 "
+      "0\n"
+      "1 1 0 0 1 0\nMETADATA\nINFORMATION 0\n\nPOLYGONS 3 7\nOFFSETS vtktypeint64\n0 3 7\n"
+      "CONNECTIVITY vtktypeint64\n0 1 2 0 1 2 3\nPOINT_DATA 4\nNORMALS n double\n0 0 1 0 0 1 0 0 1 "
+      "0 0 1\nFIELD FieldData 1\nid 1 4 vtktypeint64\n1 2 3 4\nMETADATA\nINFORMATION 0\n\n"};
+}
+
+/// with arrays as text, and appended bytes
+inline std::vector<std::string> vtp_seeds()
+{
+  const std::string raw("\x10\0\0\0\0\0\0\x3f\0\0\x80\x3f\0\0\0\x40\0\0\x40\x40", 20);
+  const std::string begin =
+      "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" byte_order=\"LittleEndian\">\n<PolyData>"
+      "<Piece NumberOfPoints=\"4\" NumberOfVerts=\"1\" NumberOfPolys=\"2\">\n";
+  const std::string end =
+      "<Points><DataArray type=\"Float64\" NumberOfComponents=\"3\" format=\"ascii\">0 0 0 1 0 0\n"
+      "1 1 0 0 1 0</DataArray></Points>\n<Polys><DataArray type=\"Int64\" Name=\"connectivity\">0 "
+      "1 "
+      "2 0 2 3</DataArray><DataArray type=\"Int64\" Name=\"offsets\">3 6</DataArray></Polys>\n"
+      "</Piece></PolyData>";
+  return {
+      begin +
+          "<PointData TCoords=\"st\"><DataArray type=\"Float32\" Name=\"st\" "
+          "NumberOfComponents=\"2\">0 0 1 0 1 1 0 1</DataArray></PointData><CellData><DataArray "
+          "type=\"UInt8\" Name=\"a&amp;b\">9 1 2</DataArray></CellData>" +
+          end + "</VTKFile>",
+      begin +
+          "<PointData><DataArray type=\"Float32\" Name=\"rho\" format=\"appended\" offset=\"0\"/>"
+          "</PointData>" +
+          end + "<AppendedData encoding=\"raw\">\n_" + raw + "</AppendedData></VTKFile>"};
+}
+
 /// a file of two chunks, each padded to a multiple of four bytes
 inline std::string glb(std::string json, std::string binary)
 {

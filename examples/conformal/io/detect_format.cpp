@@ -26,14 +26,18 @@ bool is_obj_keyword(std::string_view word)
 
 std::optional<File_format> format_of_extension(const std::string& path)
 {
-  constexpr std::array<std::pair<std::string_view, File_format>, 5> extensions = {
+  constexpr std::array<std::pair<std::string_view, File_format>, 9> extensions = {
       {{".off", File_format::off},
        {".obj", File_format::obj},
        {".ply", File_format::ply},
        {".stl", File_format::stl},
-       {".glb", File_format::glb}}};
+       {".glb", File_format::glb},
+       {".gltf", File_format::gltf},
+       {".vtk", File_format::vtk},
+       {".vtp", File_format::vtp},
+       {".usda", File_format::usda}}};
   const std::string end =
-      lower(std::string_view(path).substr(path.size() < 4 ? 0 : path.size() - 4));
+      lower(std::string_view(path).substr(std::min(path.rfind('.'), path.size())));
   for (const auto& [extension, format] : extensions)
     if (end == extension) return format;
   return {};
@@ -41,18 +45,21 @@ std::optional<File_format> format_of_extension(const std::string& path)
 
 const char* name_of(File_format format)
 {
-  constexpr std::array names = {"OFF", "OBJ", "PLY", "STL", "GLB"};
+  constexpr std::array names = {"OFF", "OBJ", "PLY", "STL", "GLB", "glTF", "VTK", "VTP", "USD"};
   return names[static_cast<std::size_t>(format)];
 }
 
 File_format detect_format(std::string_view bytes, const std::string& path)
 {
   if (starts_with(bytes, "glTF")) return File_format::glb;
+  if (bytes.substr(0, 1000).find("<VTKFile") != bytes.npos) return File_format::vtp;
   bytes = checked_bytes(bytes, path);
+  if (starts_with(bytes, "# vtk DataFile")) return File_format::vtk;
   const std::string_view word = first_word(bytes);
   if (bytes.substr(0, 3) == "ply" && word == "ply") return File_format::ply;
   if (length_of_off_keyword(first_words(bytes)) != 0) return File_format::off;
   if (is_binary_stl(bytes) || lower(word) == "solid") return File_format::stl;
+  if (starts_with(word, "{")) return File_format::gltf;
   const auto format = format_of_extension(path);
   if (format == File_format::obj || (!format && is_obj_keyword(word))) return File_format::obj;
   if (format == File_format::stl) return File_format::stl;
@@ -60,7 +67,7 @@ File_format detect_format(std::string_view bytes, const std::string& path)
                    format ? std::string("is not ") + (name_of(*format)[0] == 'O' ? "an " : "a ") +
                                 name_of(*format) + " file: it begins with " + in_quotes(word)
                           : "is of no known format: it begins with " + in_quotes(word) +
-                                ", wanted OFF, OBJ, PLY, GLB or STL");
+                                ", wanted OFF, OBJ, PLY, GLB, glTF, VTK or STL");
 }
 
 }  // namespace conformal

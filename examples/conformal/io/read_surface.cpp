@@ -9,6 +9,8 @@
 #include "conformal/io/off/read_off.h"
 #include "conformal/io/ply/read_ply.h"
 #include "conformal/io/stl/read_stl.h"
+#include "conformal/io/vtk/read_vtk.h"
+#include "conformal/io/vtk/read_vtp.h"
 
 namespace conformal {
 
@@ -22,7 +24,12 @@ Surface_file parse_surface(std::string_view bytes, const std::string& path, Bad_
     case File_format::ply:
       return parse_ply(bytes, path, bad_faces);
     case File_format::glb:
+    case File_format::gltf:
       return parse_glb(bytes, path, bad_faces);
+    case File_format::vtk:
+      return parse_vtk(bytes, path, bad_faces);
+    case File_format::vtp:
+      return parse_vtp(bytes, path, bad_faces);
     default:
       return parse_stl(bytes, path, bad_faces);
   }

@@ -81,7 +81,8 @@ void require_written(const std::string& path, const Surface_file& meant, std::st
                                 std::to_string(before.size() / 3));
   if (before.empty()) return;
   const bool is_single =
-      read.format == File_format::glb || read.format == File_format::stl ||
+      read.format == File_format::glb || read.format == File_format::gltf ||
+      read.format == File_format::stl ||
       (read.format == File_format::ply && coordinates_of_ply == Value_type::float32);
   const double allowed = is_single ? 1e-6 * diagonal(before) : 0;
   for (std::size_t c = 0; c < before.size(); ++c)

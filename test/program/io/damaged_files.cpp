@@ -20,11 +20,9 @@ struct Format {
 
 std::vector<Format> formats()
 {
-  return {{"a.off", fuzz::off_seeds()},
-          {"a.obj", fuzz::obj_seeds()},
-          {"a.ply", fuzz::ply_seeds()},
-          {"a.stl", fuzz::stl_seeds()},
-          {"a.glb", fuzz::glb_seeds()}};
+  return {{"a.off", fuzz::off_seeds()}, {"a.obj", fuzz::obj_seeds()}, {"a.ply", fuzz::ply_seeds()},
+          {"a.stl", fuzz::stl_seeds()}, {"a.glb", fuzz::glb_seeds()}, {"a.vtk", fuzz::vtk_seeds()},
+          {"a.vtp", fuzz::vtp_seeds()}};
 }
 
 bool is_sound(const Surface_file& file)

@@ -1,4 +1,4 @@
-// Tests examples/conformal/io/svg/read_svg.cpp examples/conformal/io/svg/Svg_scanner.cpp
+// Tests examples/conformal/io/svg/read_svg.cpp examples/conformal/io/file/Xml_scanner.cpp
 // Tests examples/conformal/io/svg/svg_path.cpp examples/conformal/io/svg/svg_transform.cpp
 // Tests examples/conformal/io/svg/svg_arc.cpp
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later

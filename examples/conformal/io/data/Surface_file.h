@@ -11,7 +11,7 @@
 
 namespace conformal {
 
-enum class File_format { off, obj, ply, stl, glb };
+enum class File_format { off, obj, ply, stl, glb, gltf, vtk, vtp, usda };
 
 using Point = std::array<double, 3>;
 

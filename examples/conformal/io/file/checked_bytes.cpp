@@ -27,10 +27,10 @@ constexpr std::array<Signature, 11> not_meshes = {{
     {"7z\xbc\xaf\x27\x1c"sv, "is a 7z archive, wanted the unpacked file"},
     {"\xff\xfe"sv, "is UTF-16 text, wanted UTF-8 or ASCII (convert it with iconv)"},
     {"\xfe\xff"sv, "is UTF-16 text, wanted UTF-8 or ASCII (convert it with iconv)"},
-    {"\x89PNG"sv, "is a picture (PNG), wanted OFF, OBJ, PLY, GLB or STL"},
+    {"\x89PNG"sv, "is a picture (PNG), wanted OFF, OBJ, PLY, GLB, glTF, VTK or STL"},
     {"version https://git-lfs"sv,
      "is a pointer of Git LFS to the file, wanted the file itself (git lfs pull)"},
-    {"%PDF"sv, "is a PDF document, wanted OFF, OBJ, PLY, GLB or STL"},
+    {"%PDF"sv, "is a PDF document, wanted OFF, OBJ, PLY, GLB, glTF, VTK or STL"},
 }};
 
 void refuse_markup(std::string_view bytes, const std::string& path)
@@ -40,7 +40,7 @@ void refuse_markup(std::string_view bytes, const std::string& path)
   const bool is_html = starts_with(word, "<!doctype") || starts_with(word, "<html");
   throw Read_error(path, 0,
                    std::string(is_html ? "is an HTML page" : "is an XML document") +
-                       ", wanted OFF, OBJ, PLY, GLB or STL");
+                       ", wanted OFF, OBJ, PLY, GLB, glTF, VTK or STL");
 }
 
 }  // namespace

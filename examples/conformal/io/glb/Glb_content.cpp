@@ -6,6 +6,7 @@
 #include "conformal/io/file/io_errors.h"
 #include "conformal/io/file/little_endian.h"
 #include "conformal/io/file/numbers.h"
+#include "conformal/io/file/read_bytes.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -70,6 +71,12 @@ std::string_view take_chunk(std::string_view& bytes, std::string_view type)
   return chunk;
 }
 
+/// a file in the folder of another
+std::string beside(const std::string& path, const std::string& name)
+{
+  return path.substr(0, path.find_last_of('/') + 1) + name;
+}
+
 }  // namespace
 
 void Glb_content::fail(const std::string& message) const
@@ -85,15 +92,26 @@ void Glb_content::refuse_item() const
 Glb_content::Glb_content(std::string_view bytes, const std::string& path)
     : m_path(path), m_size(bytes.size())
 {
+  m_is_text = !starts_with(bytes, "glTF");
+  m_is_text ? read_description(bytes) : read_chunks(bytes);
+}
+
+void Glb_content::read_chunks(std::string_view bytes)
+{
   if (bytes.size() < 12 || little_endian<std::uint32_t>(bytes.data() + 4) != 2)
     fail("is not a GLB file of version 2");
   bytes.remove_prefix(12);
   const std::string_view text = take_chunk(bytes, "JSON");
   if (text.empty()) fail("is not a whole GLB file: the JSON chunk is cut off");
+  m_binary = take_chunk(bytes, std::string_view("BIN\0", 4));
+  read_description(text);
+}
+
+void Glb_content::read_description(std::string_view text)
+{
   try {
     m_json = Json::parse(text);
     if (!m_json.is_object()) refuse_item();
-    m_binary = take_chunk(bytes, std::string_view("BIN\0", 4));
     check_extensions();
     decode_buffers();
   } catch (const Json::parse_error& error) {
@@ -121,7 +139,11 @@ void Glb_content::decode_buffers()
   for (std::size_t i = 0; i < count; ++i) {
     const auto uri = item("buffers", i).value("uri", std::string());
     const std::size_t comma = starts_with(uri, "data:") ? uri.find(";base64,") : uri.npos;
-    m_decoded.push_back(comma == uri.npos ? "" : from_base64(uri.substr(comma + 8)));
+    // Of others only files beside it are read: nothing that a mesh names elsewhere.
+    const bool is_beside = m_is_text && !uri.empty() && uri.find_first_of("/\\:%") == uri.npos;
+    m_decoded.push_back(comma != uri.npos ? from_base64(uri.substr(comma + 8))
+                        : is_beside       ? read_bytes(beside(m_path, uri))
+                                          : "");
   }
 }
 

@@ -13,7 +13,7 @@ namespace conformal {
 
 struct Glb_numbers;
 
-/// \brief The description (JSON) of a GLB file, and the tables of numbers in its buffers.
+/// \brief The description (JSON) of a GLB or glTF file, and the tables of numbers in its buffers.
 ///
 /// Reading the description throws `nlohmann::json::exception` where it is not as it should be:
 /// `refuse_item()` is for those who catch it.
@@ -37,6 +37,8 @@ class Glb_content {
   [[noreturn]] void refuse_item() const;
 
  private:
+  void read_chunks(std::string_view bytes);
+  void read_description(std::string_view text);
   void check_extensions() const;
   void decode_buffers();
   std::string_view buffer(std::size_t index) const;
@@ -47,7 +49,8 @@ class Glb_content {
   [[noreturn]] void fail(const std::string& message) const;
 
   std::string m_path;
-  std::size_t m_size;  // of the file
+  std::size_t m_size;      // of the file
+  bool m_is_text = false;  // `.gltf`: a description alone
   nlohmann::json m_json;
   std::string_view m_binary;
   std::vector<std::string> m_decoded;  // buffers that are text in the description

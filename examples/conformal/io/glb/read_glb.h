@@ -8,7 +8,8 @@
 
 namespace conformal {
 
-/// Reads the triangles of the scene of a GLB file, each mesh in its place. Corners of exactly equal
+/// Reads the triangles of the scene of a GLB file, or of a glTF file whose numbers are inside or in
+/// files beside it, each mesh in its place. Corners of exactly equal
 /// coordinates are one vertex, numbered by first appearance. Texture coordinates are those of
 /// corners; colours, and numbers such as `_RHO`, those of vertices. Names of nodes, meshes and
 /// materials become lines `g`, `o` and `usemtl`. Normals are not read, since the points define

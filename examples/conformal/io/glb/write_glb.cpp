@@ -5,8 +5,10 @@
 #include "checkerboard.h"
 
 #include "conformal/io/data/note_losses.h"
+#include "conformal/io/file/base64.h"
 #include "conformal/io/file/io_errors.h"
 #include "conformal/io/file/little_endian.h"
+#include "conformal/io/file/numbers.h"
 
 #include <algorithm>
 #include <cmath>
@@ -68,9 +70,12 @@ class Glb_buffer {
 
   const std::string& bytes() const { return m_bytes; }
 
-  std::string json() const
+  /// \param is_inside whether the bytes are in the description
+  std::string json(bool is_inside) const
   {
-    return "\"buffers\":[{\"byteLength\":" + std::to_string(m_bytes.size()) +
+    const std::string uri =
+        is_inside ? ",\"uri\":\"data:application/octet-stream;base64," + base64(m_bytes) + '"' : "";
+    return "\"buffers\":[{\"byteLength\":" + std::to_string(m_bytes.size()) + uri +
            "}],\"bufferViews\":[" + m_views + "],\"accessors\":[" + m_accessors + ']';
   }
 
@@ -135,7 +140,7 @@ std::string material(Glb_buffer& buffer, const Glb_mesh& mesh)
          std::to_string(view) + "}],";
 }
 
-std::string json_text(Glb_buffer& buffer, const Glb_mesh& mesh)
+std::string json_text(Glb_buffer& buffer, const Glb_mesh& mesh, bool is_inside)
 {
   const std::string attributes = append_attributes(buffer, mesh);
   const std::size_t indices = buffer.append_array(mesh.triangles, index_data, unsigned_int,
@@ -145,7 +150,7 @@ std::string json_text(Glb_buffer& buffer, const Glb_mesh& mesh)
          "\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0,\"translation\":" +
          numbers_text(mesh.middle) + "}],\"meshes\":[{\"primitives\":[{\"attributes\":{" +
          attributes + "},\"indices\":" + std::to_string(indices) + ",\"material\":0}]}]," +
-         materials + buffer.json() + '}';
+         materials + buffer.json(is_inside) + '}';
 }
 
 void append_chunk(std::string& glb, const char* type, const std::string& bytes)
@@ -185,7 +190,7 @@ std::string encode_glb(const Surface_file& file, const std::string& path,
   const Glb_mesh mesh = glb_mesh(file);
   check_positions(mesh, path);
   Glb_buffer buffer;
-  std::string json = json_text(buffer, mesh);
+  std::string json = json_text(buffer, mesh, false);
   json.resize((json.size() + 3) / 4 * 4, ' ');
   const std::size_t size = 28 + json.size() + buffer.bytes().size();
   if (size > std::numeric_limits<std::uint32_t>::max())
@@ -197,6 +202,16 @@ std::string encode_glb(const Surface_file& file, const std::string& path,
   append_chunk(glb, "BIN\0", buffer.bytes());
   note_losses(file, written_to_glb(file, mesh), notes);
   return glb;
+}
+
+std::string encode_gltf(const Surface_file& file, const std::string& path,
+                        std::vector<std::string>& notes)
+{
+  const Glb_mesh mesh = glb_mesh(file);
+  check_positions(mesh, path);
+  Glb_buffer buffer;
+  note_losses(file, written_to_glb(file, mesh), notes);
+  return json_text(buffer, mesh, true);
 }
 
 }  // namespace conformal

@@ -20,4 +20,8 @@ namespace conformal {
 std::string encode_glb(const Surface_file& file, const std::string& path,
                        std::vector<std::string>& notes);
 
+/// The same as a glTF 2.0 file: text, with the numbers in base64
+std::string encode_gltf(const Surface_file& file, const std::string& path,
+                        std::vector<std::string>& notes);
+
 }  // namespace conformal

@@ -1,10 +1,10 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include "read_svg.h"
 
-#include "Svg_scanner.h"
 #include "svg_path.h"
 #include "svg_transform.h"
 
+#include "conformal/io/file/Xml_scanner.h"
 #include "conformal/io/file/numbers.h"
 
 #include <algorithm>
@@ -51,7 +51,7 @@ class Svg_reader {
   }
 
  private:
-  void read(const Svg_tag& tag)
+  void read(const Xml_tag& tag)
   {
     m_is_svg = m_is_svg || tag.name == "svg";
     if (is_one_of(tag.name, definitions)) m_depth += int{tag.opens} - int{tag.closes};
@@ -62,7 +62,7 @@ class Svg_reader {
     if (tag.closes && m_maps.size() > 1) m_maps.pop_back();
   }
 
-  void read_shape(const Svg_tag& tag)
+  void read_shape(const Xml_tag& tag)
   {
     if (is_one_of(tag.name, other_shapes)) ++m_left_out[std::string(tag.name)];
     if (tag.name == "path")
@@ -76,13 +76,13 @@ class Svg_reader {
     return [this](const std::string& message) { m_scanner.fail(message); };
   }
 
-  void add_path(const Svg_tag& tag)
+  void add_path(const Xml_tag& tag)
   {
     const auto parts = parse_svg_path(tag.attribute("d").value_or(""), m_reading.samples, fault());
     for (const Plane_curve& part : parts) add(tag, part);
   }
 
-  void add_polygon(const Svg_tag& tag)
+  void add_polygon(const Xml_tag& tag)
   {
     const auto points = parse_svg_points(tag.attribute("points").value_or(""), fault());
     if (points.empty()) return;
@@ -90,7 +90,7 @@ class Svg_reader {
     add(tag, {"", columns(points), is_closed});
   }
 
-  void add(const Svg_tag& tag, Plane_curve curve)
+  void add(const Xml_tag& tag, Plane_curve curve)
   {
     curve.points = m_maps.back() * curve.points;
     curve.points.row(1) *= -1;  // y is down in SVG
@@ -99,7 +99,7 @@ class Svg_reader {
     m_curves.push_back(std::move(curve));
   }
 
-  Svg_scanner m_scanner;
+  Xml_scanner m_scanner;
   const Curve_reading& m_reading;
   std::vector<Plane_curve> m_curves;
   std::map<std::string, int> m_left_out;

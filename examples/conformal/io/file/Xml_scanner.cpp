@@ -1,9 +1,9 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-#include "Svg_scanner.h"
+#include "Xml_scanner.h"
 
-#include "conformal/io/file/checked_bytes.h"
-#include "conformal/io/file/io_errors.h"
-#include "conformal/io/file/numbers.h"
+#include "checked_bytes.h"
+#include "io_errors.h"
+#include "numbers.h"
 
 #include <algorithm>
 
@@ -19,19 +19,19 @@ std::string_view without_namespace(std::string_view name)
 
 }  // namespace
 
-std::optional<std::string_view> Svg_tag::attribute(std::string_view wanted) const
+std::optional<std::string_view> Xml_tag::attribute(std::string_view wanted) const
 {
   for (const auto& [attribute_name, attribute_value] : attributes)
     if (attribute_name == wanted) return attribute_value;
   return {};
 }
 
-void Svg_scanner::fail(const std::string& message) const
+void Xml_scanner::fail(const std::string& message) const
 {
   throw Read_error(m_path, m_line, message);
 }
 
-void Svg_scanner::advance(std::size_t count)
+void Xml_scanner::advance(std::size_t count)
 {
   count = std::min(count, m_text.size());
   m_line += static_cast<std::size_t>(
@@ -39,19 +39,19 @@ void Svg_scanner::advance(std::size_t count)
   m_text.remove_prefix(count);
 }
 
-void Svg_scanner::skip_past(std::string_view end, const char* what)
+void Xml_scanner::skip_past(std::string_view end, const char* what)
 {
   const std::size_t at = m_text.find(end);
   if (at == m_text.npos) fail(std::string(what) + " without an end");
   advance(at + end.size());
 }
 
-void Svg_scanner::skip_blanks()
+void Xml_scanner::skip_blanks()
 {
   advance(std::min(m_text.find_first_not_of(blanks), m_text.size()));
 }
 
-std::string_view Svg_scanner::name()
+std::string_view Xml_scanner::name()
 {
   const std::string_view word = m_text.substr(0, m_text.find_first_of(" \t\r\n/>=<\"'"));
   if (word.empty()) fail("a name is missing in a tag");
@@ -59,7 +59,7 @@ std::string_view Svg_scanner::name()
   return word;
 }
 
-std::string_view Svg_scanner::value()
+std::string_view Xml_scanner::value()
 {
   skip_blanks();
   if (m_text.empty() || m_text[0] != '=') fail("an attribute without =");
@@ -73,7 +73,7 @@ std::string_view Svg_scanner::value()
   return text;
 }
 
-std::optional<Svg_tag> Svg_scanner::next()
+std::optional<Xml_tag> Xml_scanner::next()
 {
   for (;;) {
     advance(std::min(m_text.find('<'), m_text.size()));
@@ -89,7 +89,7 @@ std::optional<Svg_tag> Svg_scanner::next()
     else
       break;
   }
-  Svg_tag tag;
+  Xml_tag tag;
   tag.line = m_line;
   advance(1);
   tag.closes = starts_with(m_text, "/");

@@ -10,8 +10,8 @@
 
 namespace conformal {
 
-/// a tag of an SVG file
-struct Svg_tag {
+/// a tag of an XML file
+struct Xml_tag {
   std::size_t line = 1;
   std::string_view name;               ///< without a namespace
   bool opens = false, closes = false;  ///< `<g>`, `</g>`; both: `<g/>`
@@ -20,15 +20,18 @@ struct Svg_tag {
   std::optional<std::string_view> attribute(std::string_view wanted) const;
 };
 
-/// The tags of an SVG file in order; comments, declarations and text between tags are skipped.
+/// The tags of an XML file in order; comments, declarations and text between tags are skipped.
 /// Every error is a `Read_error` with path and line.
-class Svg_scanner {
+class Xml_scanner {
  public:
   /// \param text must outlive the scanner and its tags
-  Svg_scanner(std::string_view text, std::string path) : m_text(text), m_path(std::move(path)) {}
+  Xml_scanner(std::string_view text, std::string path) : m_text(text), m_path(std::move(path)) {}
 
   /// the next tag, nothing at the end of the file
-  std::optional<Svg_tag> next();
+  std::optional<Xml_tag> next();
+
+  /// the text from the last tag on, up to the next one
+  std::string_view text() const { return m_text.substr(0, m_text.find('<')); }
 
   [[noreturn]] void fail(const std::string& message) const;
 
