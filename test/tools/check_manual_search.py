@@ -42,7 +42,7 @@ WANTED = {
     "control points": r"Control points md_doc_control_points",
     "minimal surface": r"[Mm]inimal.surface",
     "spectrum": r"dirac_spectrum\(\)",
-    "cones": r"Orbifold",
+    "cones": r"Cones md_doc_cones",
     "gltf": r"The program conformal",
 }
 RESULTS = "document.querySelector('#manual-search-results')"

@@ -46,9 +46,12 @@ std::vector<Cone> given_cones(const Surface_input& input, const Mesh_component& 
                               const Cut_options& options)
 {
   std::vector<Cone> found;
-  for (int v = 0; v < component.mesh.size_of_vertices(); ++v)
-    for (const Cone& cone : options.cones)
-      if (cone.vertex == vertex_in_file(input, component, v)) found.push_back({v, cone.defect});
+  for (int v = 0; v < component.mesh.size_of_vertices(); ++v) {
+    const int i = vertex_in_file(input, component, v);
+    const auto cone = std::find_if(options.cones.begin(), options.cones.end(),
+                                   [i](const Cone& given) { return given.vertex == i; });
+    if (cone != options.cones.end()) found.push_back({v, cone->defect});
+  }
   const bool is_sphere = CGP::topology(component.mesh).is_sphere();
   if (!options.cones.empty() && (found.empty() || (is_sphere && found.size() < 2)))
     throw unsuitable(input.file.path,
@@ -104,18 +107,25 @@ class Opening {
                        "a sphere that is flat outside its cones has three at least");
     CGP::internal::Cone_metric metric =
         CGP::internal::place_cones(mesh, std::min(count, mesh.size_of_vertices()), given);
-    require_sum(metric.cones);
+    require_angles(metric.cones);
     m_cones = std::move(metric.cones);
     m_log_scale = std::move(metric.log_scale);
   }
 
-  /// Gauss and Bonnet: angles that are all given may not fit.
-  void require_sum(const std::vector<Cone>& cones) const
+  /// Angles that are given may not fit the surface [Gauss and Bonnet], or leave none for the
+  /// others.
+  void require_angles(const std::vector<Cone>& cones) const
   {
     const double degrees = 180 / std::acos(-1.);
     const double wanted = 360 * CGP::topology(m_component.mesh).euler_characteristic();
     double sum = 0;
-    for (const Cone& cone : cones) sum += *cone.defect * degrees;
+    for (const Cone& cone : cones) {
+      sum += *cone.defect * degrees;
+      if (*cone.defect * degrees >= 360 - 1e-6)
+        throw unsuitable(m_input.file.path, "the cones leave no angle for vertex " +
+                                                std::to_string(in_file(cone.vertex)) +
+                                                "; try: more cones, or other angles");
+    }
     if (std::abs(sum - wanted) < 1e-6) return;
     throw unsuitable(m_input.file.path,
                      "what the angles of the cones lack of 360 degrees adds up to " +

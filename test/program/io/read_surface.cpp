@@ -34,7 +34,8 @@ TEST(Read_surface, knows_an_obj_file_of_unusual_beginning_by_its_extension)
   const std::string text = "vp 0 0\n" + fuzz::obj_seeds()[1];
   EXPECT_EQ(parse_surface(text, "mesh.OBJ").format, File_format::obj);
   EXPECT_EQ(refusal(text, "mesh"),
-            "mesh: is of no known format: it begins with 'vp', wanted OFF, OBJ, PLY, GLB, glTF, VTK or STL");
+            "mesh: is of no known format: it begins with 'vp', wanted OFF, OBJ, PLY, GLB, glTF, "
+            "VTK or STL");
 }
 
 TEST(Read_surface, accepts_a_byte_order_mark_in_every_text_format)
@@ -61,14 +62,16 @@ TEST(Read_surface, names_what_is_no_mesh)
        "a: is UTF-16 text, wanted UTF-8 or ASCII (convert it with iconv)"},
       {"\n<!DOCTYPE html>", "a: is an HTML page, wanted OFF, OBJ, PLY, GLB, glTF, VTK or STL"},
       {"<html>", "a: is an HTML page, wanted OFF, OBJ, PLY, GLB, glTF, VTK or STL"},
-      {"<?xml version='1.0'?>", "a: is an XML document, wanted OFF, OBJ, PLY, GLB, glTF, VTK or STL"},
+      {"<?xml version='1.0'?>",
+       "a: is an XML document, wanted OFF, OBJ, PLY, GLB, glTF, VTK or STL"},
       {"glTF\2", "a: is not a GLB file of version 2"},
       {"\x89PNG", "a: is a picture (PNG), wanted OFF, OBJ, PLY, GLB, glTF, VTK or STL"},
       {"version https://git-lfs.github.com/spec/v1\noid sha256:0\n",
        "a: is a pointer of Git LFS to the file, wanted the file itself (git lfs pull)"},
       {"%PDF-1.4", "a: is a PDF document, wanted OFF, OBJ, PLY, GLB, glTF, VTK or STL"},
       {"hello",
-       "a: is of no known format: it begins with 'hello', wanted OFF, OBJ, PLY, GLB, glTF, VTK or STL"}};
+       "a: is of no known format: it begins with 'hello', wanted OFF, OBJ, PLY, GLB, glTF, VTK or "
+       "STL"}};
   for (const auto& [text, message] : files) EXPECT_EQ(refusal(text, "a"), message);
   EXPECT_EQ(refusal("hello", "a.off"), "a.off: is not an OFF file: it begins with 'hello'");
   EXPECT_EQ(refusal("hello", "a.ply"), "a.ply: is not a PLY file: it begins with 'hello'");

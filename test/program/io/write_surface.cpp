@@ -137,7 +137,10 @@ TEST(Write_surface, refuses_formats_that_it_does_not_write)
   const auto message = [](const std::string& path) {
     return message_of<Write_error>([&] { write_surface(path, Surface_file()); });
   };
-  EXPECT_EQ(message("mesh"), "mesh: has no known extension, wanted .ply, .off, .obj, .glb or .stl");
+  EXPECT_EQ(
+      message("mesh"),
+      "mesh: has no known extension, wanted .ply, .off, .obj, .glb, .gltf, .stl, .vtk, .vtp or "
+      ".usda");
 }
 
 }  // namespace cgp_test::write_surface_tests

@@ -152,7 +152,8 @@ std::string encode_usda(const Surface_file& file, const std::string& path,
   const auto colors = color_properties(file.vertices);
   const std::string text =
       "#usda 1.0\n(\n    defaultPrim = \"surface\"\n    upAxis = \"Y\"\n)\n\n"
-      "def Xform \"surface\"\n{\n    def Mesh \"mesh\"\n    {\n"  // three.js shows no mesh on its own
+      "def Xform \"surface\"\n{\n    def Mesh \"mesh\"\n    {\n"  // three.js shows no mesh on its
+                                                                  // own
       "        uniform token subdivisionScheme = \"none\"\n" +
       points(file, path) + faces(file.polygons) + texture(file) +
       triples("normal3f[] normals", normal_properties(file.vertices), 1, "vertex") +
