@@ -50,6 +50,7 @@ void report_step(const CGP::Flow_step_report& step, const std::string& place, Re
   report.set(place + "/closure_residual", step.spin.closure_residual);
   report.set(place + "/period_defect", step.period_defect);
   report.set(place + "/remaining_share", step.remaining_share);
+  report.set(place + "/direction_norm", step.direction_norm);
   report_distribution(step.spin.conformality.quasi_conformal, place + "/quasi_conformal/step",
                       report);
   report_distribution(step.quasi_conformal, place + "/quasi_conformal/total", report);
@@ -74,11 +75,13 @@ std::string from_to(double before, double after)
   return text_of(before / energy_of_sphere) + " to " + text_of(after / energy_of_sphere);
 }
 
-/// the mean curvature at the vertices inside, its mean and standard deviation over their areas: how
-/// near a surface with boundary is to constant mean curvature
-void tell_mean_curvature(const CGP::Mesh_view& mesh, Report& report)
+/// The mean curvature at the vertices inside, its mean and standard deviation over their areas: how
+/// near a surface with boundary is to constant mean curvature. Where binormals are kept, also what
+/// of it is not due to the conditions that close the surface: the flow is stationary without it.
+void tell_mean_curvature(const CGP::Mesh_view& mesh, double direction_norm, Report& report)
 {
   Eigen::VectorXd weights = CGP::vertex_areas(mesh);
+  const double unexplained = direction_norm / std::sqrt(weights.sum());
   for (const auto& loop : CGP::boundary_loops(mesh))
     for (const int v : loop) weights[v] = 0;
   if (!(weights.sum() > 0)) return;
@@ -90,6 +93,9 @@ void tell_mean_curvature(const CGP::Mesh_view& mesh, Report& report)
   report.set("result/mean_curvature/deviation", deviation);
   report.show("mean curvature (1/length), deviation",
               text_of(mean, 4) + ", " + text_of(deviation, 3));
+  if (direction_norm > 0)
+    report.tell("result/mean_curvature/not_closing", "of it, what does not close the surface",
+                unexplained, 3);
 }
 
 void tell_shape(const Flow_solution& solution, const CGP::Mesh_view& initial, Report& report)
@@ -100,7 +106,7 @@ void tell_shape(const Flow_solution& solution, const CGP::Mesh_view& initial, Re
   report.show("energy / 4 pi", from_to(flow.initial_energy_of_faces, flow.energy_of_faces));
   const CGP::Mesh_view last(solution.positions, initial.corners());
   const auto topology = CGP::topology(initial);
-  if (!topology.is_closed()) tell_mean_curvature(last, report);
+  if (!topology.is_closed()) tell_mean_curvature(last, flow.direction_norm, report);
   if (!topology.is_sphere()) return;
   const Radius r = radius(last);
   report.set("result/radius/mean", r.mean);

@@ -170,9 +170,10 @@ py::dict as_dict(const CGP::Flow_step_report& r)
              "message"_a = r.message, "energy_before"_a = r.energy_before, "energy"_a = r.energy,
              "energy_of_faces"_a = r.energy_of_faces, "is_bounded"_a = r.is_bounded,
              "faired"_a = r.faired, "time_step"_a = r.time_step, "trials"_a = r.trials,
-             "direction_norm"_a = r.direction_norm, "remaining_share"_a = r.remaining_share,
-             "period_defect"_a = r.period_defect, "spin"_a = as_dict(r.spin),
-             "quasi_conformal"_a = as_dict(r.quasi_conformal),
+             "direction_norm"_a = r.direction_norm,
+             "direction_norm_after"_a = r.direction_norm_after,
+             "remaining_share"_a = r.remaining_share, "period_defect"_a = r.period_defect,
+             "spin"_a = as_dict(r.spin), "quasi_conformal"_a = as_dict(r.quasi_conformal),
              "length_cross_ratio"_a = r.length_cross_ratio, "seconds"_a = r.seconds);
   return d;
 }
@@ -186,7 +187,8 @@ py::dict as_dict(const CGP::Flow_report& r)
       "message"_a = r.message, "steps"_a = steps, "initial_energy"_a = r.initial_energy,
       "energy"_a = r.energy, "initial_energy_of_faces"_a = r.initial_energy_of_faces,
       "energy_of_faces"_a = r.energy_of_faces, "conformality"_a = as_dict(r.conformality),
-      "conformality_of_faces"_a = as_dict(r.conformality_of_faces), "scales"_a = as_dict(r.scales),
+      "conformality_of_faces"_a = as_dict(r.conformality_of_faces),
+      "direction_norm"_a = r.direction_norm, "scales"_a = as_dict(r.scales),
       "bounded_steps"_a = r.bounded_steps, "conformal_type_change"_a = r.conformal_type_change,
       "period_defect"_a = r.period_defect, "seconds"_a = r.seconds);
 }

@@ -203,7 +203,8 @@ auto Conformal_willmore_flow::judge(Spin_result result, Flow_step_report& report
   m_next.set_positions(std::move(result.positions));
   const double energy = energy_of(m_next), rise = energy - m_energy;
   if (!std::isfinite(energy)) return reject("the energy is not finite", report);
-  if (rise >= forbidden_rise()) {
+  if (keeps_directions()) report.direction_norm_after = m_direction.norm_on(m_next);
+  if (rise >= forbidden_rise() && !is_of_boundary(rise, report)) {
     (void)reject("the energy rises by " + std::to_string(rise / m_energy) + " of it", report);
     if (is_small(rise, report.time_step)) return Verdict::rises_slightly;
     return is_within_error(rise, report.is_bounded) ? Verdict::rises_within_error : Verdict::bad;
@@ -220,6 +221,27 @@ double Conformal_willmore_flow::balanced(double energy)
   if (after - m_energy < forbidden_rise()) return after;
   m_next.set_positions(before);
   return energy;
+}
+
+bool Conformal_willmore_flow::keeps_directions() const
+{
+  return m_class && m_transformation.system().directions();
+}
+
+// The energy falls by the square of the direction. What a step misses of the directions at the
+// boundary changes it by the first power, times the mean curvature, which is the multiplier of this
+// condition: near constant mean curvature that is more.
+bool Conformal_willmore_flow::is_of_boundary(double rise, const Flow_step_report& report) const
+{
+  const double missed = direction_error().mean + report.spin.direction_error.mean;
+  return falls_at_boundary(report) &&
+         rise < missed * (std::max)(m_energy, internal::energy_of_spheres);
+}
+
+bool Conformal_willmore_flow::falls_at_boundary(const Flow_step_report& report) const
+{
+  const double enough = .9;
+  return keeps_directions() && report.direction_norm_after < enough * report.direction_norm;
 }
 
 double Conformal_willmore_flow::forbidden_rise() const
@@ -294,7 +316,8 @@ void Conformal_willmore_flow::accept(Flow_step_report& report)
   if (m_class) judge_boundary(report.spin);
   m_time_step.grow();
   const double change = report.energy - report.energy_before;
-  if (m_direction.unconstrained().has_energy() && is_small(change, fairs() ? 1 : report.time_step))
+  if (m_direction.unconstrained().has_energy() && !falls_at_boundary(report) &&
+      is_small(change, fairs() ? 1 : report.time_step))
     report.stop = Flow_step_report::Stop::energy_settled;
 }
 

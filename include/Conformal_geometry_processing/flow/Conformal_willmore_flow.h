@@ -101,8 +101,11 @@ std::string step_fault(const Spin_report& report, bool is_turning, bool is_exact
 ///
 /// A step is accepted if its equation is solved, its distortion is small enough, its edges close
 /// up, and the energy decreases (not required of steps that turn a boundary to prescribed
-/// directions). Otherwise it is repeated with half of tau. The state of this object is always that
-/// after the last complete step.
+/// directions). Where directions are kept, the energy may rise by what the step misses of them if a
+/// tenth of the direction is taken away: binormals missed by theta change the energy by the mean
+/// curvature times the integral of theta, and would end the flow before H is constant. Otherwise a
+/// step is repeated with half of tau. The state of this object is always that after the last
+/// complete step.
 ///
 /// Ordering and symbolic factorization are computed once, in the constructor. A trial costs one
 /// numeric factorization of the Dirac matrix and about ten solves with it; if its edges have to be
@@ -319,6 +322,16 @@ class Conformal_willmore_flow {
     return m_options.boundary.targets.cols() > 0 ? direction_error().mean : 0;
   }
   bool is_turning() const { return turning_angle() > 0.01; }
+
+  /// whether the surface stays on its class, and its boundary keeps directions
+  bool keeps_directions() const;
+
+  /// \brief whether a rise of the energy is no more than what a step misses of the directions at
+  /// the boundary accounts for, while it `falls_at_boundary()`.
+  bool is_of_boundary(double rise, const Flow_step_report& report) const;
+
+  /// whether a step takes a tenth of what the constraints leave of the direction
+  bool falls_at_boundary(const Flow_step_report& report) const;
 
   /// \brief why no time step is left: the minimum is reached as well as the mesh allows, limbs are
   /// too small, or neither.

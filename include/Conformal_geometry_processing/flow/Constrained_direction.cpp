@@ -3,6 +3,7 @@
 
 #include <Conformal_geometry_processing/flow/Curvature_direction_ref.h>
 #include <Conformal_geometry_processing/flow/Curvature_filter.h>
+#include <Conformal_geometry_processing/mesh/Normalized_frame.h>
 #include <Conformal_geometry_processing/mesh/normals.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
@@ -42,6 +43,17 @@ auto internal::Constrained_direction::operator()(const Mesh_view& mesh) -> Resul
   } catch (const Precondition_error& error) {
     throw Solver_error(error.function(), error.message());
   }
+}
+
+double internal::Constrained_direction::norm_on(const Mesh_view& next)
+{
+  const Normalized_frame frame(next.positions());
+  Mesh_view framed = next;
+  framed.set_positions(frame.to_frame(next.positions()));
+  const Eigen::VectorXd raw = m_direction.rate(next, framed, frame.unit());
+  require_one_per_vertex(raw);
+  const internal::Constraint_basis basis = exactness().basis();
+  return basis.norm(basis.project_out(filtered(raw))) * m_transformation.domain().unit();
 }
 
 Eigen::VectorXd internal::Constrained_direction::exact_part(const Eigen::VectorXd& rho)

@@ -52,6 +52,12 @@ class Constrained_direction {
   /// its constraints are meaningless
   Result operator()(const Mesh_view& mesh);
 
+  /// \brief what the constraints of the present surface leave of the direction on the next one, of
+  /// the same connectivity: the root of its integral, as `Result::norm`.
+  /// \pre the surface has no triangulation of its own
+  /// \throw Precondition_error if the direction is not one finite number per vertex
+  double norm_on(const Mesh_view& next);
+
   /// the component of a change of curvature that keeps the edges exact
   Eigen::VectorXd exact_part(const Eigen::VectorXd& rho);
 

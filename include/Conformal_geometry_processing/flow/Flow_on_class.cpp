@@ -146,6 +146,7 @@ void Conformal_willmore_flow::settle_for_fairing(Flow_step_report& report)
   report.energy = m_energy;
   report.energy_of_faces = energy_of_faces(positions());
   report.time_step = 0;
+  report.direction_norm_after = report.direction_norm;
   report.is_bounded = false;
   const Spin_report given_up = std::exchange(report.spin, {});
   internal::add_costs(report.spin, given_up);

@@ -44,6 +44,8 @@ bool append(Flow_report& report, Flow_step_report step)
   report.stop = step.stop;
   report.message = step.message;
   const bool is_accepted = step.accepted;
+  if (step.direction_norm_after > 0)
+    report.direction_norm = is_accepted ? step.direction_norm_after : step.direction_norm;
   if (is_accepted) report.bounded_steps += step.is_bounded;
   if (is_accepted) report.period_defect += step.period_defect;
   if (is_accepted) report.steps.push_back(std::move(step));

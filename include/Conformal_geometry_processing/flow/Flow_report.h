@@ -43,6 +43,8 @@ struct [[nodiscard]] Flow_step_report {
   double time_step = 0;                  ///< tau of the last trial; zero if only fairing succeeded
   int trials = 0;                        ///< how many time steps were tried
   double direction_norm = 0;             ///< root of the integral of v^2, after projection
+  double direction_norm_after = 0;       ///< likewise after the step, where a surface on its exact
+                                         ///< class keeps directions at its boundary
   double remaining_share = 0;            ///< of the direction, after projection
   double period_defect = 0;  ///< harmonic part of the new edges, relative; zero without loops
   Spin_report spin;  ///< the spin transformation of the last trial, with its distortion, and the
@@ -72,6 +74,13 @@ struct [[nodiscard]] Flow_report {
   double initial_energy_of_faces = 0, energy_of_faces = 0;
   Conformality conformality_of_faces;
   ///@}
+
+  /// \brief what the constraints leave of the direction on the last surface, where a surface on its
+  /// exact class keeps directions at its boundary: the root of the integral of its square.
+  ///
+  /// With binormals, these are the constants and what closes the surface around its holes: the mean
+  /// curvature is constant, or the flow stationary only because of them, where this is small.
+  double direction_norm = 0;
 
   /// the factors by which lengths have changed, with a bound on them: see
   /// `Flow_options::scale_bound`

@@ -205,6 +205,7 @@ class Flow_step_report:
     time_step: float
     trials: int
     direction_norm: float
+    direction_norm_after: float
     remaining_share: float
     period_defect: float
     spin: Spin_report
@@ -229,6 +230,7 @@ class Flow_report(Report):
     energy_of_faces: float
     conformality: Conformality
     conformality_of_faces: Conformality
+    direction_norm: float
     scales: Scales
     bounded_steps: int
     conformal_type_change: float
