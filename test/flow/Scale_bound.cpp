@@ -3,12 +3,14 @@
 #include <Conformal_geometry_processing/flow/Scale_bound.h>
 #include <Conformal_geometry_processing/measure/distortion.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
+#include <Conformal_geometry_processing/operators/mean_curvature.h>
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "flow_tools.h"
 #include "support/random.h"
@@ -53,7 +55,7 @@ TEST(Scale_bound, asks_the_next_surface_for_what_is_left)
   f.array().rowwise() /= f.colwise().squaredNorm().array();
   small.set_positions(f);
   const Scale_bound bound(mesh, 3);
-  const CGP::internal::Scale_control control = bound.control(small);
+  const CGP::internal::Scale_control control = bound.control(small, 1);
   const Eigen::VectorXd u = vertex_log_scales(mesh, f);
   EXPECT_LT((control.factors.array().log() + u.array()).abs().maxCoeff(), 1e-12);
   const Eigen::VectorXd areas = control.weights.cwiseProduct(CGP::vertex_areas(small));
@@ -62,6 +64,7 @@ TEST(Scale_bound, asks_the_next_surface_for_what_is_left)
   EXPECT_GE(*control.bound, 2.9);
   const Eigen::VectorXd before = CGP::vertex_areas(mesh);
   const double growth = (2 * u.array()).exp().matrix().dot(before) / before.sum();
+  EXPECT_EQ(*bound.control(small, 0).bound, 3);  // it is beyond
   EXPECT_NEAR(bound.measured(f).max, std::exp(u.maxCoeff()) / std::sqrt(growth), 1e-12);
 }
 
@@ -79,10 +82,10 @@ struct End {
   Points positions;
 };
 
-End flown(const Mesh_view& mesh, std::optional<double> bound)
+End flown(const Mesh_view& mesh, std::optional<double> bound, int steps = 12)
 {
   CGP::Flow_options options;
-  options.max_steps = 12;
+  options.max_steps = steps;
   options.scale_bound = bound;
   CGP::Conformal_willmore_flow flow(mesh, options);
   CGP::Flow_report report = flow.run();
@@ -109,6 +112,54 @@ TEST(Scale_bound, keeps_a_flow_within_it_and_costs_energy)
         EXPECT_LT(step.energy, step.energy_before);
     }
   }
+}
+
+/// a surface that has used nearly all of its bound
+struct At_bound {
+  At_bound()
+  {
+    Points f = mesh.positions();
+    f.colwise() -= Eigen::Vector3d(0, 0, 1.5);
+    f.array().rowwise() /= f.colwise().squaredNorm().array();
+    moved.set_positions(f);
+    used = std::log(2.) * Scale_bound(mesh, 2).measured(f).excess();
+  }
+
+  Mesh_view mesh = bumpy_sphere(3), moved = mesh;
+  double used;
+  Scale_bound bound() const { return {mesh, std::exp(used / .995)}; }
+};
+
+TEST(Scale_bound, asks_small_steps_for_less_room)
+{
+  const At_bound at;
+  const Scale_bound bound = at.bound();
+  EXPECT_NEAR(bound.measured(at.moved.positions()).excess(), .995, 1e-9);
+  double last = *bound.control(at.moved, 0).bound;
+  EXPECT_GT(std::log(last), at.used);
+  for (const double time : {.2, .5, 1.}) {
+    const double next = *bound.control(at.moved, time).bound;
+    EXPECT_LT(next, last);
+    EXPECT_GE(std::log(next), .98 * at.used / .995 - 1e-12);
+    last = next;
+  }
+}
+
+// Otherwise the energy would rise by as much in the smallest step, and the flow end.
+TEST(Scale_bound, moves_lengths_by_no_more_than_the_step)
+{
+  const At_bound at;
+  CGP::Spin_transformation transformation(at.moved);
+  const Eigen::VectorXd rho = .3 * CGP::mean_curvature(at.moved);
+  const std::vector<double> times{.25, .0625};
+  std::vector<double> changes;
+  for (const double time : times) {
+    const CGP::Spin_result result = at.bound().step(transformation, at.moved, time * rho, time,
+                                                    [](const auto&) { return true; });
+    const Eigen::VectorXd u = vertex_log_scales(at.moved, result.positions);
+    changes.push_back((u.array() - u.mean()).abs().mean());
+  }
+  EXPECT_GT(slope(times, changes), .7);
 }
 
 TEST(Scale_bound, changes_nothing_where_it_is_wide)

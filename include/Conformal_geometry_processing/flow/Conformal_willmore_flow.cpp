@@ -177,7 +177,9 @@ auto Conformal_willmore_flow::try_step(const Eigen::VectorXd& rho, Flow_step_rep
     if (!m_is_bounded) verdict = judge_new(m_transformation.closed_step(rho, go_further), report);
     if (verdict != Verdict::out_of_bound) return verdict;
     report.is_bounded = true;
-    return judge_new(m_scale_bound->step(m_transformation, m_mesh, rho, go_further), report);
+    return judge_new(m_scale_bound->step(m_transformation, m_mesh, rho,
+                                         report.time_step / m_options.time_step, go_further),
+                     report);
   } catch (const Solver_error& error) {
     if (is_out_of_memory(error)) throw;
     report.message = error.what();

@@ -8,6 +8,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -50,11 +51,13 @@ Spin_report::Scales Scale_bound::measured(const Points& positions) const
   return measured_scales(spins_of(vertex_log_scales(m_initial, positions)), m_areas, m_control);
 }
 
-Scale_control Scale_bound::control(const Mesh_view& surface) const
+Scale_control Scale_bound::control(const Mesh_view& surface, double time) const
 {
-  const double room = .02;
+  const double room = .02, aimed_below = Relaxed_scales_options().closeness / 2;
+  const double used = measured(surface.positions()).excess();
+  const double kept = (std::min)(used * (1 + aimed_below) - time * room, 1.);
   Scale_control control;
-  control.bound = std::pow(*m_control.bound, 1 - room);
+  control.bound = std::pow(*m_control.bound, (std::max)(1 - room, kept));
   const Eigen::VectorXd u = vertex_log_scales(m_initial, surface.positions());
   control.factors = (-u).array().exp();
   control.weights = m_areas.cwiseQuotient(vertex_areas(surface));
@@ -64,18 +67,21 @@ Scale_control Scale_bound::control(const Mesh_view& surface) const
 
 Spin_result Scale_bound::step(
     Spin_transformation& transformation, const Mesh_view& surface, const Eigen::VectorXd& rho,
-    const std::function<bool(const Eigensolver_progress&)>& go_further) const
+    double time, const std::function<bool(const Eigensolver_progress&)>& go_further) const
 {
-  const Scale_control bounded = control(surface);
+  const Scale_control bounded = control(surface, time);
   std::optional<Period_residual> periods;
   Spin_residuals closing;
   if (const Exactness_constraints* loops = transformation.closing())
     closing.push_back(&periods.emplace(transformation.system().surface(), *loops));
-  Relaxed_scales_options few;
-  few.stages = 2;  // a step of a flow is small
-  Relaxed_scales search(transformation.system(), transformation.domain().unit() * rho, bounded,
-                        closing, few);
-  search.run(go_further);
+  // Weights that do not become small with the step would lead lengths back that rho does not move.
+  const double weight = .03 * time;
+  Relaxed_scales_options options;
+  options.least_weight *= time;
+  const Eigen::VectorXd in_frame = transformation.domain().unit() * rho;
+  Relaxed_scales search(transformation.system(), in_frame, bounded, closing, options);
+  search.restart({search.spins().start(), in_frame, weight, search.excess()});
+  search.follow(in_frame, go_further);
   if (periods && search.steps() > 0) search.meet_few(true);
   return transformation.surface_of(search.solution());
 }

@@ -29,16 +29,19 @@ class Scale_bound {
   /// of a surface of the same connectivity
   Spin_report::Scales measured(const Points& positions) const;
 
-  /// \brief what a transformation of a surface has to keep to, a little within the bound: the way
-  /// back to the class moves lengths, too.
-  Scale_control control(const Mesh_view& surface) const;
+  /// \brief what a transformation of a surface has to keep to: within the bound by a fiftieth of
+  /// its logarithm, for the way back to the class moves lengths, too. Small steps move them less:
+  /// they need not lead back what is within already by more than `time` of this room. \param time
+  /// tau by the largest
+  Scale_control control(const Mesh_view& surface, double time) const;
 
   /// \brief the surface of spins and a rho' that is as near to rho as the bound, handles and holes
   /// allow, see `Relaxed_scales`.
   /// \param rho |V|, in 1/length of the mesh
+  /// \param time see `control()`
   /// \throw Solver_error if a factorization fails
   Spin_result step(Spin_transformation& transformation, const Mesh_view& surface,
-                   const Eigen::VectorXd& rho,
+                   const Eigen::VectorXd& rho, double time,
                    const std::function<bool(const Eigensolver_progress&)>& go_further) const;
 
  private:
