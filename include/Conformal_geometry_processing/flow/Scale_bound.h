@@ -31,8 +31,9 @@ class Scale_bound {
 
   /// \brief what a transformation of a surface has to keep to: within the bound by a fiftieth of
   /// its logarithm, for the way back to the class moves lengths, too. Small steps move them less:
-  /// they need not lead back what is within already by more than `time` of this room. \param time
-  /// tau by the largest
+  /// what is within already keeps `time` of this room.
+  ///
+  /// \param time tau by the largest one
   Scale_control control(const Mesh_view& surface, double time) const;
 
   /// \brief the surface of spins and a rho' that is as near to rho as the bound, handles and holes
