@@ -104,9 +104,9 @@ Flow_result flow_result(const Graph_view<TriangleMesh>& graph, const NamedParame
 /// Each step smooths the surface within its conformal class, and then applies a spin transformation
 /// by rho = -tau H; spheres become round, tori become tori of Clifford type. Surfaces of any genus
 /// stay closed. Area and centroid are preserved. The energy, the integral of H^2, decreases in
-/// every step: a step that would increase it is repeated with half of tau. With binormals kept, H
-/// becomes constant, or stationary but for what closes the surface around its holes; there steps
-/// may increase the energy by what they miss of the binormals.
+/// every step: a step that would increase it is repeated with half of tau. With binormals kept,
+/// H becomes constant, or the flow ends where only closing around holes keeps it from that; there
+/// steps may increase the energy by what they miss of the binormals.
 ///
 /// Surfaces stay on the discrete conformal class of their intrinsic Delaunay triangulation: its
 /// length cross-ratios are kept to 1e-10 where double precision allows. So errors of the steps do

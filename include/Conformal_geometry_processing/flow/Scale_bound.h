@@ -31,7 +31,7 @@ class Scale_bound {
 
   /// \brief what a transformation of a surface has to keep to: within the bound by a fiftieth of
   /// its logarithm, for the way back to the class moves lengths, too. Small steps move them less:
-  /// what is within already keeps `time` of this room.
+  /// what is within already need not retreat by more than `time` of this room.
   ///
   /// \param time tau by the largest one
   Scale_control control(const Mesh_view& surface, double time) const;
