@@ -24,13 +24,14 @@ std::vector<int> inverse_permutation(const internal::Ordering& order)
 
 internal::Ordering amd_ordering(const Sparse_pattern& pattern)
 {
-  using Graph = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
-  const std::vector<double> ones(pattern.indices.size(), 1.0);
+  // Values have no effect: of the smallest type, for they are copied. A matrix that is known to be
+  // symmetric is not added to its transpose.
+  using Graph = Eigen::SparseMatrix<char, Eigen::ColMajor, int>;
+  const std::vector<char> ones(pattern.indices.size(), 1);
   const Eigen::Map<const Graph> lower(pattern.size(), pattern.size(), pattern.size_of_entries(),
                                       pattern.offsets.data(), pattern.indices.data(), ones.data());
-  const Graph graph = lower.selfadjointView<Eigen::Lower>();
   Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> permutation;
-  Eigen::AMDOrdering<int>()(graph, permutation);
+  Eigen::AMDOrdering<int>()(lower.selfadjointView<Eigen::Lower>(), permutation);
   return internal::Ordering(permutation.indices().data(),
                             permutation.indices().data() + pattern.size());
 }
