@@ -40,8 +40,8 @@ std::shared_ptr<const Sparse_pattern> graph_with_seams(const Mesh_view& mesh,
                                                        const std::vector<Seam>& seams);
 
 /// \ingroup PkgParameterization
-/// Adds to an energy on that graph the squares of what images miss of their rotations, times a
-/// weight: `stiffness` is that of the springs that join the two sides.
+/// \brief Adds to an energy on that graph the squares of what images miss of their rotations, times
+/// a weight: `stiffness` is that of the springs that join the two sides.
 void add_seams(const std::vector<Seam>& seams, double stiffness,
                Hermitian_sparse_matrix<std::complex<double>>& energy);
 
