@@ -95,6 +95,17 @@ def test_refusals_name_the_target():
         cg.deform(V, F, {0: V[0], 1: V[0]})
 
 
+def test_parts_of_a_region_without_targets_stay():
+    V, F = icosphere(3)
+    region = np.clip((abs(V[:, 2]) - .5) / .3, 0, 1)
+    drag = cg.Conformal_deformation(V, F, vertex_region=region)
+    for top in V[:, 2].argmax(), V[:, 2].argmin():  # of either part
+        result = drag.deform({top: V[top] + [.1, .05, .05]})
+        assert result and result.report.reached == 1
+        stays = V[:, 2] * V[top, 2] < .25
+        assert np.array_equal(result.positions[stays], V[stays])
+
+
 def test_outside_of_a_region_nothing_moves():
     V, F = icosphere(3)
     V = V * [1, 1.2, 1.5] + .05 * np.sin(3 * V[:, [1, 2, 0]])

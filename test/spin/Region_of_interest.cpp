@@ -185,7 +185,17 @@ TEST(Region_of_interest, is_where_the_targets_are)
   EXPECT_THROW((void)CGP::internal::weights_at({}, mesh, both, "test"), CGP::Precondition_error);
   Options options;
   options.region = both;
-  EXPECT_THROW(Deformation(mesh, options), CGP::Precondition_error);
+  Deformation deformation(mesh, options);
+  const CGP::Spin_result of_both = deformation.deform(pulled(mesh));
+  EXPECT_EQ(deformation.region(), north);
+  options.region = north;
+  EXPECT_EQ(of_both.positions, Deformation(mesh, options).deform(pulled(mesh)).positions);
+  int south = 0;
+  mesh.positions().row(2).minCoeff(&south);
+  const Eigen::Vector3d to = mesh.position(south) + Eigen::Vector3d(.1, .05, .05);
+  const CGP::Spin_result of_other = deformation.deform({control_point(south, to)});
+  EXPECT_TRUE(of_other.report) << to_string(of_other.report.fault());
+  EXPECT_EQ(deformation.region(), both - north);
 }
 
 TEST(Region_of_interest, follows_a_drag)

@@ -10,10 +10,12 @@
 
 #include "spin/relaxed_surfaces.h"
 #include "support/meshes.h"
+#include "support/random_delaunay.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 namespace cgp_test::relaxed_spins_tests {
 
@@ -45,6 +47,35 @@ void expect_inner_product(const Surface_ref& surface)
   EXPECT_GT(metric.squared_norm(d.col(0)), metric.areas().dot(d.col(0).cwiseAbs2()));
   const Eigen::VectorXd ones = Eigen::VectorXd::Ones(n);
   EXPECT_LT((metric.apply(ones) - metric.areas()).norm(), 1e-10 * image.norm());
+}
+
+/// 2 + z^2 of a plane mesh, a solution, or its mirror image
+Spins square(const Mesh_view& mesh, double sign)
+{
+  Spins lambda(mesh.size_of_vertices());
+  for (int v = 0; v < mesh.size_of_vertices(); ++v) {
+    const Eigen::Vector3d p = mesh.position(v);
+    lambda[v] = {2 + p.x() * p.x() - p.y() * p.y(), 0, 0, sign * 2 * p.x() * p.y()};
+  }
+  return lambda;
+}
+
+// Of the first order on sheets, of a higher one at vertices.
+TEST(Misfit_sizes, are_small_at_vertices_for_what_the_discretisation_leaves)
+{
+  std::vector<CGP::internal::Misfit_sizes> sizes;
+  for (const double h : {.1, .05}) {
+    const Mesh_view mesh = random_domain(h, 3, {});
+    const CGP::internal::Dirac_misfit::Geometry geometry(mesh);
+    const Eigen::VectorXd rho = Eigen::VectorXd::Zero(mesh.size_of_vertices());
+    sizes.push_back(CGP::internal::misfit_sizes(geometry, rho, square(mesh, -1)));
+    const auto other = CGP::internal::misfit_sizes(geometry, rho, square(mesh, 1));
+    EXPECT_TRUE(sizes.back().averages_out());
+    EXPECT_FALSE(other.averages_out());
+    EXPECT_NEAR(other.vertices, other.sheets, .05 * other.sheets);
+  }
+  EXPECT_NEAR(sizes[1].sheets, sizes[0].sheets / 2, .2 * sizes[0].sheets);
+  EXPECT_LT(sizes[1].vertices / sizes[1].sheets, .9 * sizes[0].vertices / sizes[0].sheets);
 }
 
 TEST(Potential_metric, is_an_inner_product)

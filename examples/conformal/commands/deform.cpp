@@ -84,6 +84,17 @@ Files files(const Deform_options& deform)
           {"the targets", deform.targets}};
 }
 
+/// tells how many vertices of a region moved, and how many did not
+void tell_region(const Eigen::VectorXd& wanted, const Eigen::VectorXd& moved, Session& session)
+{
+  if (wanted.size() == 0) return;
+  const Eigen::Index stay = (wanted.array() != moved.array()).count();
+  session.report().set("result/region/vertices", static_cast<int>((moved.array() > 0).count()));
+  if (stay > 0)
+    session.note(std::to_string(stay) +
+                 " vertices of the region stay, as the part that they are in has no target");
+}
+
 Deformation_solution deform_surface(const Surface_input& input, const Deformation_problem& problem,
                                     const Deform_options& options, Session& session)
 {
@@ -96,6 +107,7 @@ Deformation_solution deform_surface(const Surface_input& input, const Deformatio
       session);
   session.begin_stage();
   const CGP::Spin_report& report = solution.spin.report;
+  tell_region(problem.request.region, solution.region, session);
   tell_targets(report, problem.points.size(), session.report());
   if (report.collar) tell_collar(*report.collar, session.report());
   tell_certificate(report, input.mesh.size_of_faces(), session.outcome());
@@ -114,20 +126,6 @@ Eigen::VectorXd region_weights(const Surface_input& input, const Deform_options&
   return vertex_numbers(input, "--region-expression", options.expression, options.property)
       .cwiseMax(0.)
       .cwiseMin(1.);
-}
-
-/// of the weights in a region those in the part of it that has the targets
-Eigen::VectorXd moved_region(const Eigen::VectorXd& weights, const CGP::Mesh_view& mesh,
-                             const std::vector<CGP::internal::Control_point>& points,
-                             Session& session)
-{
-  const Eigen::VectorXd moved = CGP::internal::weights_at(points, mesh, weights, "deform");
-  const Eigen::Index stay = (weights.array() != moved.array()).count();
-  session.report().set("result/region/vertices", static_cast<int>((moved.array() > 0).count()));
-  if (stay > 0)
-    session.note(std::to_string(stay) +
-                 " vertices of the region stay, as the part that they are in has no target");
-  return moved;
 }
 
 void deform(const Deform_options& options, Session& session)
@@ -151,9 +149,7 @@ void deform(const Deform_options& options, Session& session)
     problem.request.surface.scales.bound = options.scale_bound;
     problem.request.surface.mollification = share_of(options.mollification);
     if (options.weight) problem.request.position_weight = *options.weight;
-    if (region.size() > 0)
-      problem.request.region =
-          moved_region(region(component.vertices), component.input.mesh, problem.points, own);
+    if (region.size() > 0) problem.request.region = region(component.vertices);
     const Deformation_solution solution = deform_surface(component.input, problem, options, own);
     surface.set(component, solution.spin);
     surface.rho.values(component.vertices) = unit * solution.rho.values;

@@ -11,7 +11,7 @@ Deformation_solution solve_deformation(
 {
   CGP::internal::Conformal_deformation deformation(mesh, problem.request, "deform");
   CGP::Spin_result result = deformation.deform(problem.points, std::cref(go_further));
-  return {{std::move(result)}, deformation.potential()};
+  return {{std::move(result)}, deformation.potential(), deformation.region()};
 }
 
 }  // namespace conformal

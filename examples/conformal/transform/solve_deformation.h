@@ -21,6 +21,7 @@ struct Deformation_problem {
 struct Deformation_solution {
   Spin_solution spin;
   CGP::Curvature_potential rho;  ///< that was found, in 1/length of the mesh, on vertices
+  Eigen::VectorXd region;        ///< weights of the parts of it that moved; empty without one
 };
 
 /// Calls the library's `Conformal_deformation`.

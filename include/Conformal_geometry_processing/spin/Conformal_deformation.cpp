@@ -12,6 +12,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace Conformal_geometry_processing::internal {
@@ -23,14 +24,6 @@ bool are_same(const std::vector<Control_point>& points, const std::vector<Contro
     return a.vertices == b.vertices && a.weights == b.weights;
   };
   return std::equal(points.begin(), points.end(), others.begin(), others.end(), is_same);
-}
-
-inline std::optional<Region_of_interest> region_of(const Mesh_view& mesh,
-                                                   const Conformal_deformation_options& options,
-                                                   const std::string& function)
-{
-  if (options.region.size() == 0) return std::nullopt;
-  return Region_of_interest(mesh, options.region, function);
 }
 
 /// options for the mesh of the region alone
@@ -46,22 +39,34 @@ inline Conformal_deformation_options options_in(const std::optional<Region_of_in
 Conformal_deformation::Conformal_deformation(const Mesh_view& mesh,
                                              const Conformal_deformation_options& options,
                                              const std::string& function)
-    : m_function(function),
-      m_size(mesh.size_of_vertices()),
-      m_region(region_of(mesh, options, function)),
-      m_options(options_in(m_region, options)),
-      m_transformation(m_region ? m_region->mesh() : mesh, m_options.surface, function)
+    : m_function(function), m_mesh(mesh), m_given(options)
 {
   if (options.surface.boundary.kind != Boundary_condition::Kind::free)
     throw Precondition_error(function, "the boundary has to be free");
   if (!(options.position_weight > 0))
     throw Precondition_error(function, "the position weight is not positive");
+  if (options.region.size() == 0)
+    set_region({});
+  else
+    require_region(mesh, options.region, function);
+}
+
+// Which parts move is known from the control points only.
+void Conformal_deformation::set_region(Eigen::VectorXd weights)
+{
+  if (m_transformation && weights.size() == m_weights.size() && weights == m_weights) return;
+  m_positions.reset();
+  m_transformation.reset();
+  m_region.reset();
+  m_weights = std::move(weights);
+  if (m_weights.size() > 0) m_region.emplace(m_mesh, m_weights, m_function);
+  m_options = options_in(m_region, m_given);
+  m_transformation.emplace(m_region ? m_region->mesh() : m_mesh, m_options.surface, m_function);
 }
 
 std::vector<Control_point> Conformal_deformation::all_points(
     const std::vector<Control_point>& points) const
 {
-  require_control_points(points, m_size, m_function);
   if (!m_region) return points;
   std::vector<Control_point> all = m_region->in_part(points, m_function);
   all.insert(all.end(), m_region->anchors().begin(), m_region->anchors().end());
@@ -73,18 +78,19 @@ Spin_result Conformal_deformation::deform(const std::vector<Control_point>& give
 {
   const internal::Thread_team team;
   m_visits.require_no_visit(m_function);
+  set_region(weights_at(given, m_mesh, m_given.region, m_function));
   const std::vector<Control_point> points = all_points(given);
   require_extent(points);
   Walk walk = search(points, m_visits.guarded(go_further));
   Spin_result result = walk.result ? std::move(*walk.result) : present(points, walk.reached);
   m_rho = Curvature_potential::on_vertices(m_positions->scales().spins().rho() /
-                                           m_transformation.domain().unit());
+                                           m_transformation->domain().unit());
   Spin_report& r = result.report;
   r.cancelled = walk.is_cancelled;
   r.reached = r.realised_share = walk.reached;
   r.limits.realised_share = 1;
   r.steps = walk.steps;
-  add_costs(r, m_transformation.take_unreported());
+  add_costs(r, m_transformation->take_unreported());
   if (r.cancelled) {
     result.positions.resize(3, 0);
     return result;
@@ -100,13 +106,13 @@ Spin_result Conformal_deformation::deform(const std::vector<Control_point>& give
 auto Conformal_deformation::search(const std::vector<Control_point>& points,
                                    const Go_further& go_further) -> Walk
 {
-  const Points targets = m_transformation.domain().frame().to_frame(targets_of(points));
+  const Points targets = m_transformation->domain().frame().to_frame(targets_of(points));
   const bool has_run = m_positions && are_same(points, m_positions->points());
   if (!has_run) {
     const double w = m_options.position_weight;
-    const Eigen::VectorXd no_rho = Eigen::VectorXd::Zero(m_transformation.system().areas().size());
+    const Eigen::VectorXd no_rho = Eigen::VectorXd::Zero(m_transformation->system().areas().size());
     m_positions = std::make_unique<Relaxed_positions>(
-        m_transformation,
+        *m_transformation,
         Relaxed_positions::Problem{
             points, {}, no_rho, m_options.surface.scales, w * w, number_of_anchors()},
         targets);
@@ -122,7 +128,7 @@ auto Conformal_deformation::search(const std::vector<Control_point>& points,
 auto Conformal_deformation::walk(const std::vector<Control_point>& points,
                                  const Go_further& go_further) -> Walk
 {
-  const Points targets = m_transformation.domain().frame().to_frame(targets_of(points));
+  const Points targets = m_transformation->domain().frame().to_frame(targets_of(points));
   const Points from = m_positions->present_points();
   const Alignment a = placement(from, targets);
   const Points to = a.rotation.transpose() * (targets.colwise() - a.translation) / a.scale;
@@ -158,8 +164,8 @@ bool Conformal_deformation::go_to(const std::vector<Control_point>& points, doub
 void Conformal_deformation::require_extent(const std::vector<Control_point>& points) const
 {
   const double smallest = 1e-6;
-  const Normalized_frame& frame = m_transformation.domain().frame();
-  const Points from = frame.to_frame(positions_of(points, m_transformation.positions()));
+  const Normalized_frame& frame = m_transformation->domain().frame();
+  const Points from = frame.to_frame(positions_of(points, m_transformation->positions()));
   if (!(placement(from, frame.to_frame(targets_of(points))).scale > smallest))
     throw Precondition_error(m_function, "the targets are at one place, the points are not");
 }
@@ -175,12 +181,12 @@ Spin_result Conformal_deformation::present(const std::vector<Control_point>& poi
 void Conformal_deformation::place(const std::vector<Control_point>& points, double share,
                                   Spin_result& result) const
 {
-  const Framed_surface& domain = m_transformation.domain();
+  const Framed_surface& domain = m_transformation->domain();
   const double slack = 1e-10;  // of the squares of distances of anchors: targets are met first
   Eigen::VectorXd masses = Eigen::VectorXd::Ones(static_cast<Eigen::Index>(points.size()));
   masses.tail(static_cast<Eigen::Index>(number_of_anchors())).setConstant(slack);
   const Points f = domain.frame().to_frame(result.positions), targets = targets_of(points);
-  const Points from = positions_of(points, m_transformation.positions());
+  const Points from = positions_of(points, m_transformation->positions());
   const Alignment a = placement(positions_of(points, f),
                                 domain.frame().to_frame(from + share * (targets - from)), masses);
   result.positions = domain.frame().from_frame(a.apply(f));

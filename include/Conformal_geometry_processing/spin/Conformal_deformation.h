@@ -26,7 +26,8 @@ struct Conformal_deformation_options {
   /// weight of the distances from the targets against rho, in multiples of 1 / R with R the radius
   /// of the sphere of the same area; infinity: the targets are met exactly
   double position_weight = std::numeric_limits<double>::infinity();
-  /// for each vertex of the mesh its weight in the `Region_of_interest`; empty: all may move
+  /// for each vertex of the mesh its weight in the `Region_of_interest`; empty: all may move. Of
+  /// several parts those with a control point move, see `weights_at()`
   Eigen::VectorXd region = {};
   double min_step = 1. / 32;  ///< the smallest step towards the targets, as a share of the way
 };
@@ -56,9 +57,9 @@ struct Conformal_deformation_options {
 ///
 class Conformal_deformation {
  public:
-  /// \throw as the constructor of `Spin_transformation`, for the region if there is one, or that of
-  /// `Region_of_interest`; and Precondition_error if the boundary is not free, or the position
-  /// weight not positive
+  /// \throw as the constructor of `Spin_transformation` if there is no region, or
+  /// `require_region()`; and Precondition_error if the boundary is not free, or the position weight
+  /// not positive
   explicit Conformal_deformation(const Mesh_view& mesh,
                                  const Conformal_deformation_options& options = {},
                                  const std::string& function = "Conformal_deformation");
@@ -74,15 +75,20 @@ class Conformal_deformation {
   /// The report contains the share of the way (`reached`), the number of `steps`, and the distances
   /// from the targets (`position_error`). If it was cancelled, there are no positions.
   /// \param points with targets in the unit of the mesh
-  /// \throw Precondition_error see `require_control_points()`, or all targets are at one place
-  /// though the points are not, or a point is not inside of the region, or `go_further` calls this
-  /// function back
+  /// With other parts of the region than in the last call, it begins anew.
+  /// \throw as the constructor of `Spin_transformation`, for the region if there is one, and of
+  /// `Region_of_interest`; Precondition_error see `require_control_points()`, or all targets are at
+  /// one place though the points are not, or a point is not inside of the region, or `go_further`
+  /// calls this function back
   /// \throw Solver_error if the first factorization fails
   Spin_result deform(const std::vector<Control_point>& points,
                      const Go_further& go_further = Always_go_further());
 
   /// the change of mean curvature found last, in 1/length of the mesh, one number per vertex
   const Curvature_potential& potential() const { return m_rho; }
+
+  /// the weights of the region in the parts that moved last, |V|; empty without a region
+  const Eigen::VectorXd& region() const { return m_weights; }
 
  private:
   /// how far control points have come
@@ -92,6 +98,8 @@ class Conformal_deformation {
     bool is_cancelled = false;
     std::optional<Spin_result> result;  // where it ends, if that was looked at
   };
+
+  void set_region(Eigen::VectorXd weights);
 
   /// \throw Precondition_error if the best similarity shrinks the points to one
   void require_extent(const std::vector<Control_point>& points) const;
@@ -121,10 +129,12 @@ class Conformal_deformation {
 
   std::string m_function;
   Visit_guard m_visits;
-  int m_size;                                  // number of vertices of the mesh
+  Mesh_view m_mesh;
+  Conformal_deformation_options m_given;
+  Eigen::VectorXd m_weights;                   // of the region that moves; empty: the whole mesh
   std::optional<Region_of_interest> m_region;  // none: the whole mesh
-  Conformal_deformation_options m_options;
-  Spin_transformation m_transformation;
+  Conformal_deformation_options m_options;     // for what moves
+  std::optional<Spin_transformation> m_transformation;
   std::unique_ptr<Relaxed_positions> m_positions;  // of the last points; refers to members before
   Relaxed_positions::State m_initial;              // the surface that is deformed
   Curvature_potential m_rho;

@@ -182,4 +182,17 @@ double Dirac_misfit::squared_norm(const Spins& z) const
   return m_weights.sheets * on_sheets + m_weights.vertices * at_vertices;
 }
 
+Misfit_sizes misfit_sizes(const Dirac_misfit::Geometry& geometry, const Eigen::VectorXd& rho,
+                          const Quaternion_vector<double>& lambda)
+{
+  const auto size = [&](double sheets, double vertices) {
+    Misfit_weights weights;
+    weights.sheets = sheets;
+    weights.vertices = vertices;
+    const Dirac_misfit misfit(geometry, weights, rho, lambda);
+    return std::sqrt(misfit.squared_norm(misfit.residual()) / geometry.areas.sum());
+  };
+  return {size(1, 0), size(0, 1)};
+}
+
 }  // namespace Conformal_geometry_processing::internal

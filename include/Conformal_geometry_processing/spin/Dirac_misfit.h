@@ -89,4 +89,20 @@ class Dirac_misfit {
   Spins m_residual;
 };
 
+/// \ingroup PkgSpin
+/// \brief how much spins leave of the equation, in 1/length: the root mean squares of r_s and r_v
+/// of `Dirac_misfit` over the area.
+struct Misfit_sizes {
+  double sheets, vertices;
+
+  /// whether the edge length explains what is left: it averages out around vertices, where it is of
+  /// second order; what belongs to no solution stays
+  bool averages_out() const { return vertices < 0.9 * sheets; }
+};
+
+/// \ingroup PkgSpin
+/// \param rho |V| \param lambda |V|
+Misfit_sizes misfit_sizes(const Dirac_misfit::Geometry& geometry, const Eigen::VectorXd& rho,
+                          const Quaternion_vector<double>& lambda);
+
 }  // namespace Conformal_geometry_processing::internal

@@ -2,6 +2,7 @@
 #include <Conformal_geometry_processing/spin/Directions_selection.h>
 
 #include <Conformal_geometry_processing/operators/dirac_energy.h>
+#include <Conformal_geometry_processing/spin/Dirac_misfit.h>
 #include <Conformal_geometry_processing/spin/Dirac_system.h>
 #include <Conformal_geometry_processing/spin/certify.h>
 #include <Quaternionic_linear_algebra/direct/Stopwatch.h>
@@ -34,6 +35,25 @@ void Directions_selection::solve(Dirac_solution& s, const Go_further& go_further
   s.eigenvalue = m_system.is_self_adjoint() ? dirac_quotient(m_system.surface(), m_rho, s.lambda)
                                             : dirac_misfit(m_system.surface(), m_rho, s.lambda);
   s.seconds.eigenvectors += watch.lap();
+}
+
+auto Directions_selection::kernel(Dirac_solution& s, const Go_further& go_further) const -> Vectors
+{
+  const int columns = 6, most = 4;
+  const double tolerance = 1e-3, nothing = 1e-3 * std::sqrt(m_system.unit());
+  Stopwatch watch;
+  s.solves += columns - 1;  // of the noise
+  const Eigensolver_result r =
+      smallest(with_noise(guide(), columns), most, tolerance, s, go_further);
+  const Dirac_misfit::Geometry geometry(m_system.surface());
+  int size = 0;
+  while (size < most) {
+    const Misfit_sizes left = misfit_sizes(geometry, m_rho.values, r.vectors.col(size));
+    if (!left.averages_out() && left.sheets > nothing) break;
+    ++size;
+  }
+  s.seconds.eigenvectors += watch.lap();
+  return r.vectors.leftCols(size);
 }
 
 Eigensolver_result Directions_selection::nearest_to_guide(Dirac_solution& s,

@@ -20,9 +20,9 @@ namespace Conformal_geometry_processing::internal {
 /// The space is real, so eigenvalues are in general simple and not fourfold. Each `solve()` costs
 /// one factorization, and one solve for each iteration and column.
 class Directions_selection {
+ public:
   using Vectors = Block<Quaternion<double>>;
 
- public:
   /// squared overlaps with orthogonal vectors sum to at most one, so no other vector is nearer to
   /// the guide than one with this overlap
   static constexpr double surely_nearest = 0.75;
@@ -35,6 +35,14 @@ class Directions_selection {
   /// \param[in,out] s receives the solution
   /// \pre `set_potential(rho)` has been called
   void solve(Dirac_solution& s, const Go_further& go_further);
+
+  /// \brief the smallest singular vectors that belong to zero as far as the edge length tells, see
+  /// `Misfit_sizes::averages_out()`: up to four.
+  ///
+  /// Around each hole there is one more than on a disk, in whose surface the edges need not close.
+  /// \param[in,out] s receives the costs
+  /// \pre `set_potential(rho)` has been called; rho is on vertices
+  Vectors kernel(Dirac_solution& s, const Go_further& go_further) const;
 
  private:
   /// Iterates one column if it comes near to the guide; otherwise several, of which the relevant

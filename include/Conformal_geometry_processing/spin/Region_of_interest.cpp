@@ -53,12 +53,8 @@ Eigen::VectorXd weights_at(const std::vector<Control_point>& points, const Mesh_
   return weights;
 }
 
-}  // namespace internal
-
-internal::Region_of_interest::Region_of_interest(const Mesh_view& mesh,
-                                                 const Eigen::VectorXd& weights,
-                                                 const std::string& function)
-    : m_positions(mesh.positions())
+void require_region(const Mesh_view& mesh, const Eigen::VectorXd& weights,
+                    const std::string& function)
 {
   refuse_if_any(
       mesh.size_of_vertices(), [&](int v) { return !(weights[v] >= 0 && weights[v] <= 1); },
@@ -66,6 +62,16 @@ internal::Region_of_interest::Region_of_interest(const Mesh_view& mesh,
       "1: moves, 0: stays, between: the collar");
   if (!(weights.maxCoeff() == 1))
     throw Precondition_error(function, "no vertex has the weight 1 in the region");
+}
+
+}  // namespace internal
+
+internal::Region_of_interest::Region_of_interest(const Mesh_view& mesh,
+                                                 const Eigen::VectorXd& weights,
+                                                 const std::string& function)
+    : m_positions(mesh.positions())
+{
+  require_region(mesh, weights, function);
   m_part = weighted_part(mesh, weights);
   const std::vector<int> components = connected_components(m_part.mesh);
   const int count = *std::max_element(components.begin(), components.end()) + 1;

@@ -24,6 +24,11 @@ Eigen::VectorXd weights_at(const std::vector<Control_point>& points, const Mesh_
                            Eigen::VectorXd weights, const std::string& function);
 
 /// \ingroup PkgSpin
+/// \throw Precondition_error if a weight, one per vertex, is not in [0, 1], or none is 1
+void require_region(const Mesh_view& mesh, const Eigen::VectorXd& weights,
+                    const std::string& function);
+
+/// \ingroup PkgSpin
 /// \brief the part of a surface that an edit may change, with a collar where the edit fades out.
 ///
 /// Each vertex has a weight w: 1 follows the edit, 0 stays, to the bit. Those between are the
@@ -35,8 +40,7 @@ Eigen::VectorXd weights_at(const std::vector<Control_point>& points, const Mesh_
 class Region_of_interest {
  public:
   /// \param weights |V|
-  /// \throw Precondition_error if a weight is not in [0, 1], none is 1, or the part is not
-  /// connected
+  /// \throw as `require_region()`, and Precondition_error if the part is not connected
   Region_of_interest(const Mesh_view& mesh, const Eigen::VectorXd& weights,
                      const std::string& function);
 

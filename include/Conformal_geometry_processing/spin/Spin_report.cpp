@@ -17,6 +17,9 @@ const char* to_string(Spin_report::Boundary_fault fault)
       return "no surface conformally equivalent to this one has this curvature and this boundary";
     case Spin_report::Boundary_fault::does_not_close:
       return "the edges of the new surface do not fit together";
+    case Spin_report::Boundary_fault::ambiguous:
+      return "two surfaces have this boundary, and the mesh is too coarse around a hole to tell "
+             "which";
     case Spin_report::Boundary_fault::degenerate:
       return "the new surface shrinks to a point somewhere";
     case Spin_report::Boundary_fault::none:

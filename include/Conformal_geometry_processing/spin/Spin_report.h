@@ -39,7 +39,9 @@ struct [[nodiscard]] Spin_report : internal::Dirac_evidence {
     not_realizable,  ///< no conformal surface has the data: the singular value of D - rho does not
                      ///< tend to 0
     does_not_close,  ///< the edges do not close up
-    degenerate       ///< lambda nearly vanishes somewhere
+    degenerate,      ///< lambda nearly vanishes somewhere
+    ambiguous  ///< two surfaces have the data about equally well, on a mesh that is too coarse
+               ///< around holes
   };
 
   int steps = 1;       ///< number of transformations, or of steps on the way of control points

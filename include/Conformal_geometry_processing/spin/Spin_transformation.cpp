@@ -265,9 +265,8 @@ void Spin_transformation::judge_boundary(const Points& f, Spin_report& report) c
   }
   report.radius = domain().unit() * std::sqrt(face_areas(dirac.surface()).sum() / std::acos(-1.));
   report.limits_gamma = turns_directions() && dirac.is_self_adjoint();
-  const bool is_misfit = dirac.directions() && !dirac.is_self_adjoint();
-  const double misfit = report.is_relaxed ? report.dirac_residual : report.eigenvalue;
-  const double sigma = is_misfit ? misfit * domain().unit() : 0;
+  const bool is_misfit = dirac.directions() && !dirac.is_self_adjoint() && !report.is_relaxed;
+  const double sigma = is_misfit ? report.eigenvalue * domain().unit() : 0;
   report.boundary_fault = boundary_fault(dirac.surface(), sigma, report);
 }
 

@@ -73,6 +73,7 @@ inline std::optional<double> default_bound(const Spin_transformation_options& op
 
 class Relaxed_scales;
 struct Relaxed_surface;
+struct Closing_start;
 }  // namespace internal
 
 /// \ingroup PkgSpin
@@ -97,7 +98,9 @@ struct Relaxed_surface;
 /// and no eigenvector is computed. That costs one to five factorizations and 30 to 150 solves, and
 /// for each loop three more in each step. The report tells what was kept (`Spin_report::scales`)
 /// or, with loops, left out (`missing_share`); with prescribed directions that turn the boundary
-/// around holes, what was added to rho to close the surface (`added_share`).
+/// around holes, what was added to rho to close the surface (`added_share`). Several surfaces may
+/// have these directions: the one that closes by the least change is taken, or none
+/// (`Boundary_fault::ambiguous`). That costs another factorization and about 60 solves.
 ///
 /// With mollification, triangles may be needles, caps, or of area zero. Area, centroid and
 /// certificate then refer to the `well_shaped_faces()`, which exclude the thinnest faces, at most 5
@@ -269,6 +272,16 @@ class Spin_transformation {
   /// \pre no positions are prescribed
   Spin_result relaxed(const Curvature_potential& rho, const internal::Scale_control& control,
                       double stiffness, const internal::Go_further& go_further);
+
+  /// see `internal::Directions_selection::kernel()`; rho in the frame
+  Block<Quaternion<double>> kernel(const Curvature_potential& rho,
+                                   const internal::Go_further& go_further);
+
+  /// \brief where the search for spins with prescribed directions begins that close up around
+  /// holes: at the vector of the kernel with which they do by the least change of rho.
+  /// \param rho wanted, |V|, in the frame
+  internal::Closing_start closing_start(const Eigen::VectorXd& rho,
+                                        const internal::Go_further& go_further);
 
   /// closes what a step by rho has left open
   void close(const Eigen::VectorXd& rho, double limit, Spin_result& result);

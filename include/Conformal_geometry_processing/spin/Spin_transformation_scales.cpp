@@ -4,8 +4,7 @@
 
 #include <Conformal_geometry_processing/operators/dirac_energy.h>
 #include <Conformal_geometry_processing/spin/Exactness_constraints.h>
-#include <Conformal_geometry_processing/spin/Period_residual.h>
-#include <Conformal_geometry_processing/spin/Relaxed_scales.h>
+#include <Conformal_geometry_processing/spin/Relaxed_surface.h>
 #include <Conformal_geometry_processing/spin/snap_to_class.h>
 #include <Conformal_geometry_processing/spin/transformed_edges.h>
 #include <Quaternionic_linear_algebra/direct/Stopwatch.h>
@@ -100,61 +99,30 @@ inline double stiffening(double shear)
   return std::isfinite(shear) ? std::clamp(std::pow(shear / wanted, 2), least, most) : most;
 }
 
-/// a search for spins, with what closes handles and holes
-struct internal::Relaxed_surface {
-  std::optional<Period_residual> periods;
-  Relaxed_scales scales;
-
-  /// \param rho wanted, |V|, in the unit of the surface
-  Relaxed_surface(Spin_transformation& transformation, const Eigen::VectorXd& rho,
-                  const Scale_control& control, const Relaxed_scales_options& options)
-      : scales(transformation.system(), rho, control, closing(transformation), options)
-  {}
-
-  /// takes off what a finite weight has left of the periods
-  void close()
-  {
-    const int times = 2;
-    for (int i = 0; i < times && periods && scales.steps() > 0; ++i) scales.meet_few(false);
-  }
-
-  /// likewise; where that takes lengths beyond their bound, goes on with room for it
-  void close_within_bound(const Go_further& go_further)
-  {
-    const int most_tries = 3;
-    for (int i = 0; i <= most_tries; ++i) {
-      const double before = scales.excess();
-      close();
-      if (!(scales.excess() > 1) || i == most_tries) return;
-      scales.leave_room(scales.excess() - before);
-      if (scales.go_on(go_further) == Relaxed_scales::End::cancelled) return;
-    }
-  }
-
- private:
-  Spin_residuals closing(Spin_transformation& transformation)
-  {
-    const Exactness_constraints* const loops = transformation.closing();
-    if (!loops) return {};
-    return {&periods.emplace(transformation.system().surface(), *loops)};
-  }
-};
-
 Spin_result Spin_transformation::relaxed(const Curvature_potential& rho,
                                          const internal::Scale_control& control, double stiffness,
                                          const internal::Go_further& go_further)
 {
   const Eigen::VectorXd wanted = in_frame(rho);
-  internal::Relaxed_scales_options search_options;
+  const internal::Closing_start start = closing_start(wanted, go_further);
+  const bool is_guided = start.lambda.size() == 0;
+  internal::Relaxed_scales_options search_options =
+      is_guided ? internal::Relaxed_scales_options() : internal::Closing_start::few_steps();
   search_options.spins.weights.factor = stiffness;
   internal::Relaxed_surface search(*this, wanted, control, search_options);
-  search.scales.run(m_visits.guarded(go_further));
+  if (is_guided)
+    search.scales.run(m_visits.guarded(go_further));
+  else
+    search.begin_at(start.lambda, wanted, m_visits.guarded(go_further));
   search.close_within_bound(m_visits.guarded(go_further));
   Spin_result result = surface_of(search.scales.solution());
-  close_up(search, go_further, result);
+  if (is_guided) close_up(search, go_further, result);
   if (m_options.scales.bound && shear(result.report, true) > 1)
     ask_for_less(search, wanted, go_further, result);
   if (!result.report.cancelled) tell_shares(search.scales, wanted, control, result.report);
+  auto& fault = result.report.boundary_fault;
+  if (start.is_ambiguous && fault == Spin_report::Boundary_fault::none)
+    fault = Spin_report::Boundary_fault::ambiguous;
   internal::add_costs(result.report, take_unreported());
   return result;
 }
