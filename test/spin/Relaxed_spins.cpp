@@ -200,11 +200,17 @@ void expect_positive(Problem& p)
   p.spins.linearize();
   const Spins a = p.system.projected(random_quaternions(p.surface_size(), 3)).col(0),
               b = p.system.projected(random_quaternions(p.surface_size(), 4)).col(0);
-  const Spins Sa = p.spins.schur_product(a), Sb = p.spins.schur_product(b);
+  const Spins Sa = p.spins.schur_product(a).col(0), Sb = p.spins.schur_product(b).col(0);
   EXPECT_NEAR(inner_product(a, Sb).w, inner_product(b, Sa).w,
               1e-10 * CGP::components(a).norm() * CGP::components(Sb).norm());
   EXPECT_GT(inner_product(a, Sa).w, 0);
   EXPECT_GT(inner_product(b, Sb).w, 0);
+  CGP::internal::Relaxed_spins::Vectors both(a.size(), 2);
+  both << a, b;
+  const auto products = p.spins.schur_product(both);
+  const Spins da = products.col(0) - Sa, db = products.col(1) - Sb;
+  EXPECT_LT(CGP::components(da).norm(), 1e-12 * CGP::components(Sa).norm());
+  EXPECT_LT(CGP::components(db).norm(), 1e-12 * CGP::components(Sb).norm());
 }
 
 TEST(Relaxed_spins, has_a_symmetric_and_positive_complement)
@@ -257,15 +263,15 @@ Eigen::MatrixXd dense_hessian(Problem& p)
   const CGP::internal::Potential_metric metric(p.system, .1 / p.system.unit());
   const int n = p.surface_size();
   const Eigen::VectorXd &a = metric.areas(), zero = Eigen::VectorXd::Zero(n);
-  const Spins nothing = Spins::Constant(linear.residual().size(), {});
+  const Spins nothing = Spins::Constant(linear.residual().misfit.size(), {});
   Eigen::MatrixXd A(5 * n, 5 * n);
   p.scales.set_spins(p.spins.lambda());
   for (int k = 0; k < 4 * n; ++k) {
     Spins y = Spins::Constant(n, {});
     CGP::components(y)(k % 4, k / 4) = 1;
-    const Spins r = linear.apply(y);
+    const auto r = linear.apply(y);
     A.col(k) =
-        joined(linear.adjoint(r, zero) + p.scales.gradient(p.scales.change(y)), -linear.turned(r));
+        joined(linear.adjoint(r.misfit, zero) + p.scales.gradient(p.scales.change(y)), -r.turned);
   }
   for (int k = 0; k < n; ++k) {
     const Eigen::VectorXd d = Eigen::VectorXd::Unit(n, k);

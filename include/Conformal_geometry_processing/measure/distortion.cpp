@@ -13,31 +13,39 @@
 #include <cmath>
 #include <cstddef>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace Conformal_geometry_processing {
 namespace internal {
 
+// The first part ends so that upper quantiles are most likely in the few values beyond it.
 double weighted_quantile(const Eigen::VectorXd& values, const Eigen::VectorXd& weights,
                          double share)
 {
-  std::vector<int> order(static_cast<std::size_t>(values.size()));
-  std::iota(order.begin(), order.end(), 0);
+  std::vector<std::pair<double, double>> pairs;  // side by side, as halving reads them often
+  pairs.reserve(static_cast<std::size_t>(values.size()));
+  for (Eigen::Index i = 0; i < values.size(); ++i) pairs.emplace_back(values[i], weights[i]);
   const double wanted = share * weights.sum();
   double below = 0;  // the weight before `first`; the quantile is in [first, last)
-  for (auto first = order.begin(), last = order.end();;) {
-    if (last - first == 1) return values[*first];
-    const auto middle = first + (last - first) / 2;
-    std::nth_element(first, middle, last, [&](int a, int b) { return values[a] < values[b]; });
-    const double half =
-        std::accumulate(first, middle, 0., [&](double sum, int i) { return sum + weights[i]; });
-    if (below + half >= wanted) {
+  double part = (std::max)(.5, 2 * share - 1);
+  auto first = pairs.begin(), last = pairs.end();
+  for (; last - first > 1; part = .5) {
+    const auto size = last - first;
+    const auto middle =
+        first + std::clamp(static_cast<std::ptrdiff_t>(part * static_cast<double>(size)),
+                           std::ptrdiff_t{1}, size - 1);
+    std::nth_element(first, middle, last);
+    const double weight = std::accumulate(
+        first, middle, 0., [](double sum, const auto& pair) { return sum + pair.second; });
+    if (below + weight >= wanted) {
       last = middle;
     } else {
-      below += half;
+      below += weight;
       first = middle;
     }
   }
+  return first->first;
 }
 
 }  // namespace internal

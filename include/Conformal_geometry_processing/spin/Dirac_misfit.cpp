@@ -40,7 +40,7 @@ Dirac_misfit::Dirac_misfit(const Geometry& geometry, const Misfit_weights& weigh
       m_rho(std::move(rho)),
       m_lambda(std::move(lambda)),
       m_inverses(sheets() + m_lambda.size()),
-      m_residual(Spins::Constant(m_inverses.size(), {}))
+      m_residual{}
 {
   Eigen::Index i = 0;
   for (const Triangle& sheet : geometry.sheets)
@@ -87,25 +87,43 @@ inline Quaternion<double> mean_product(const Dirac_misfit::Triangle& sheet,
   return third * d[a] * y[a] + third * d[b] * y[b] + third * d[c] * y[c];
 }
 
-// finish((D - rho) y), on sheets and at vertices
+// finish((D - rho) y), on sheets and at vertices, and N^T W of it
 template <class Finish>
-auto Dirac_misfit::image(const Spins& y, const Finish& finish) const -> Spins
+auto Dirac_misfit::image(const Spins& y, const Finish& finish) const -> Image
 {
   const Eigen::Index n = sheets();
-  Spins r(m_inverses.size());
-  for (Eigen::Index v = 0; v < y.size(); ++v) r[n + v] = Quaternion<double>{};
+  Image r{Spins(m_inverses.size()), Eigen::VectorXd::Zero(y.size())};
+  for (Eigen::Index v = 0; v < y.size(); ++v) r.misfit[n + v] = Quaternion<double>{};
   for_each_owned_sheet([&](const Index_range& own, const Triangle& sheet, int s) {
     const Quaternion<double> sum = integrated_dirac(sheet, y);
     const Quaternion<double> share = sheet.share / 3 * sum;
     for (const int v : sheet.corners)
-      if (own.contains(v)) r[n + v] += share;
-    if (own.contains(sheet.corners[0]))
-      r[s] = finish(s, 1 / sheet.area * sum - mean_product(sheet, m_rho, y));
+      if (own.contains(v)) r.misfit[n + v] += share;
+    const Quaternion<double> z = finish(s, 1 / sheet.area * sum - mean_product(sheet, m_rho, y));
+    if (own.contains(sheet.corners[0])) r.misfit[s] = z;
+    add_turned(own, sheet, s, z, r.turned);
   });
-  for (Eigen::Index v = 0; v < y.size(); ++v)
-    r[n + v] =
-        finish(static_cast<int>(n + v), 1 / m_geometry->areas[v] * r[n + v] - m_rho[v] * y[v]);
+  for (Eigen::Index v = 0; v < y.size(); ++v) {
+    Quaternion<double>& z = r.misfit[n + v];
+    z = finish(static_cast<int>(n + v), 1 / m_geometry->areas[v] * z - m_rho[v] * y[v]);
+    r.turned[v] += turned_at(v, z);
+  }
   return r;
+}
+
+// what a sheet adds to N^T W z
+void Dirac_misfit::add_turned(const Index_range& own, const Triangle& sheet, int s,
+                              const Quaternion<double>& z, Eigen::VectorXd& d) const
+{
+  const Quaternion<double> here =
+      m_weights.sheets * sheet.share * sheet.area / 3 * m_inverses[s] * z;
+  for (const int v : sheet.corners)
+    if (own.contains(v)) d[v] += dot(m_lambda[v], here);
+}
+
+double Dirac_misfit::turned_at(Eigen::Index v, const Quaternion<double>& z) const
+{
+  return m_weights.vertices * m_geometry->areas[v] * m_inverses[sheets() + v] * dot(m_lambda[v], z);
 }
 
 // of |lambda|
@@ -117,10 +135,10 @@ double Dirac_misfit::growth(int i, const Spins& y) const
          (dot(m_lambda[a], y[a]) + dot(m_lambda[b], y[b]) + dot(m_lambda[c], y[c]));
 }
 
-auto Dirac_misfit::apply(const Spins& y) const -> Spins
+auto Dirac_misfit::apply(const Spins& y) const -> Image
 {
   return image(y, [&](int i, const Quaternion<double>& r) {
-    return m_inverses[i] * (r - growth(i, y) * m_residual[i]);
+    return m_inverses[i] * (r - growth(i, y) * m_residual.misfit[i]);
   });
 }
 
@@ -131,7 +149,7 @@ auto Dirac_misfit::adjoint(const Spins& z, const Eigen::VectorXd& d) const -> Sp
   for (Eigen::Index v = 0; v < y.size(); ++v) {
     const double inverse = m_inverses[n + v];
     at_vertices[v] = m_weights.vertices * inverse * (z[n + v] - d[v] * inverse * m_lambda[v]);
-    const double g = dot(m_residual[n + v], at_vertices[v]) * inverse;
+    const double g = dot(m_residual.misfit[n + v], at_vertices[v]) * inverse;
     y[v] = -m_geometry->areas[v] * (m_rho[v] * at_vertices[v] + g * m_lambda[v]);
   }
   for_each_owned_sheet([&](const Index_range& own, const Triangle& sheet, int s) {
@@ -143,7 +161,7 @@ auto Dirac_misfit::adjoint(const Spins& z, const Eigen::VectorXd& d) const -> Sp
         here + sheet.share / 3 * (at_vertices[a] + at_vertices[b] + at_vertices[c]);
     const Quaternion<double> first = product(sheet.half_edges[0], sum),
                              second = product(sheet.half_edges[1], sum);
-    const double third = sheet.area / 3, g = third * inverse * dot(m_residual[s], here);
+    const double third = sheet.area / 3, g = third * inverse * dot(m_residual.misfit[s], here);
     const Quaternion<double> part = third * here;
     const auto add = [&](int v, const Quaternion<double>& turned) {
       if (own.contains(v)) y[v] += turned - m_rho[v] * part - g * m_lambda[v];
@@ -153,22 +171,6 @@ auto Dirac_misfit::adjoint(const Spins& z, const Eigen::VectorXd& d) const -> Sp
     add(c, -(first + second));
   });
   return y;
-}
-
-Eigen::VectorXd Dirac_misfit::turned(const Spins& z) const
-{
-  const Eigen::Index n = sheets();
-  Eigen::VectorXd d(m_lambda.size());
-  for (Eigen::Index v = 0; v < d.size(); ++v)
-    d[v] =
-        m_weights.vertices * m_geometry->areas[v] * m_inverses[n + v] * dot(m_lambda[v], z[n + v]);
-  for_each_owned_sheet([&](const Index_range& own, const Triangle& sheet, int s) {
-    const Quaternion<double> here =
-        m_weights.sheets * sheet.share * sheet.area / 3 * m_inverses[s] * z[s];
-    for (const int v : sheet.corners)
-      if (own.contains(v)) d[v] += dot(m_lambda[v], here);
-  });
-  return d;
 }
 
 double Dirac_misfit::squared_norm(const Spins& z) const

@@ -12,6 +12,8 @@
 
 namespace Conformal_geometry_processing::internal {
 
+struct Index_range;
+
 /// \ingroup PkgSpin
 /// weights of the residuals of a `Dirac_misfit`, numbers without a unit
 struct Misfit_weights {
@@ -64,13 +66,20 @@ class Dirac_misfit {
   Dirac_misfit(const Geometry& geometry, const Misfit_weights& weights, Eigen::VectorXd rho,
                Spins lambda);
 
-  const Spins& residual() const { return m_residual; }  ///< r, in 1/length: sheets, then vertices
+  /// z on sheets, then at vertices, and N^T W z with the weights W, |V|, which are found in one
+  /// pass. On every surface, N^T W N <= (the sum of the weights) M_V.
+  struct Image {
+    Spins misfit;
+    Eigen::VectorXd turned;
+  };
 
-  Spins apply(const Spins& y) const;  ///< A y
-  /// A^H W (z - N d) with the weights W, |V|
+  const Spins& lambda() const { return m_lambda; }
+  const Eigen::VectorXd& rho() const { return m_rho; }
+
+  const Image& residual() const { return m_residual; }  ///< of r, in 1/length
+  Image apply(const Spins& y) const;                    ///< of A y
+  /// A^H W (z - N d), |V|
   Spins adjoint(const Spins& z, const Eigen::VectorXd& d) const;
-  /// N^T W z, |V|. On every surface, N^T W N <= (the sum of the weights) M_V.
-  Eigen::VectorXd turned(const Spins& z) const;
   double squared_norm(const Spins& z) const;  ///< <z, W z>
 
  private:
@@ -79,14 +88,17 @@ class Dirac_misfit {
   void for_each_owned_sheet(const Visit& visit) const;
   double growth(int i, const Spins& y) const;
   template <class Finish>
-  Spins image(const Spins& y, const Finish& finish) const;
+  Image image(const Spins& y, const Finish& finish) const;
+  void add_turned(const Index_range& own, const Triangle& sheet, int s, const Quaternion<double>& z,
+                  Eigen::VectorXd& d) const;
+  double turned_at(Eigen::Index v, const Quaternion<double>& z) const;
 
   const Geometry* m_geometry;
   Misfit_weights m_weights;
   Eigen::VectorXd m_rho;
   Spins m_lambda;
   Eigen::VectorXd m_inverses;  // 1 / |lambda|: sheets, then vertices
-  Spins m_residual;
+  Image m_residual;
 };
 
 /// \ingroup PkgSpin

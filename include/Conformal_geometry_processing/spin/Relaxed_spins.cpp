@@ -13,7 +13,9 @@
 #include <Eigen/Core>
 
 #include <cmath>
+#include <cstddef>
 #include <utility>
+#include <vector>
 
 namespace Conformal_geometry_processing::internal {
 
@@ -34,7 +36,7 @@ void Potential_metric::couple(double w)
   check(m_coupled.factorize(m_matrix, w * m_areas));
 }
 
-Eigen::VectorXd Potential_metric::solve_coupled(const Eigen::VectorXd& b) const
+Eigen::MatrixXd Potential_metric::solve_coupled(const Eigen::MatrixXd& b) const
 {
   Block<double> x;
   check(m_coupled.solve(b, x));
@@ -120,6 +122,7 @@ auto Relaxed_spins::start() const -> Spins
 void Relaxed_spins::restart(const Spins& lambda, const Eigen::VectorXd& rho)
 {
   m_preconditioner.forget();
+  m_here.reset();
   m_lambda = m_gauge.normalized(lambda);
   m_rho = rho;
 }
@@ -128,6 +131,7 @@ void Relaxed_spins::stiffen(double factor)
 {
   m_weights.sheets *= factor;
   m_weights.vertices *= factor;
+  m_here.reset();
   m_preconditioner.set_weight(m_weights.sum());
   if (m_nearness) m_nearness->scale(factor);
   couple();
@@ -146,6 +150,12 @@ Dirac_misfit Relaxed_spins::misfit(const Spins& lambda, const Eigen::VectorXd& r
   return {m_geometry, m_weights, rho, lambda};
 }
 
+const Dirac_misfit& Relaxed_spins::here()
+{
+  if (!m_here) m_here.emplace(misfit(m_lambda, m_rho));
+  return *m_here;
+}
+
 // K d of d without its mean where constants are free.
 Eigen::VectorXd Relaxed_spins::metric_product(const Eigen::VectorXd& d) const
 {
@@ -155,21 +165,19 @@ Eigen::VectorXd Relaxed_spins::metric_product(const Eigen::VectorXd& d) const
   return image;
 }
 
-auto Relaxed_spins::terms_at(const Spins& lambda, const Eigen::VectorXd& rho) const -> Terms
+auto Relaxed_spins::terms_of(const Dirac_misfit& there) const -> Terms
 {
-  const Dirac_misfit here = misfit(lambda, rho);
-  const Eigen::VectorXd e = rho - m_wanted;
-  return {here.squared_norm(here.residual()), e.dot(metric_product(e)),
-          values_at(lambda, m_residuals).squaredNorm()};
+  const Eigen::VectorXd e = there.rho() - m_wanted;
+  return {there.squared_norm(there.residual().misfit), e.dot(metric_product(e)),
+          values_at(there.lambda(), m_residuals).squaredNorm()};
 }
 
 auto Relaxed_spins::gradient() -> Step
 {
-  const Dirac_misfit here = misfit(m_lambda, m_rho);
-  const Spins r = here.residual();
+  const Dirac_misfit::Image& r = here().residual();
   Step g;
-  g.spins = here.adjoint(r, Eigen::VectorXd::Zero(m_rho.size()));
-  g.potential = metric_product(m_rho - m_wanted) - here.turned(r);
+  g.spins = here().adjoint(r.misfit, Eigen::VectorXd::Zero(m_rho.size()));
+  g.potential = metric_product(m_rho - m_wanted) - r.turned;
   for (Spin_residual* residual : m_residuals) {
     residual->set_spins(m_lambda);
     g.spins += residual->gradient(residual->values());
@@ -179,19 +187,19 @@ auto Relaxed_spins::gradient() -> Step
 
 void Relaxed_spins::linearize()
 {
-  m_linear.emplace(misfit(m_lambda, m_rho));
   for (Spin_residual* residual : m_residuals) residual->set_spins(m_lambda);
   m_preconditioner.update(m_lambda, m_rho, m_costs);
 }
 
 // H less the product of the areas: by the formula of Sherman and Morrison.
-Eigen::VectorXd Relaxed_spins::solve_potential(const Eigen::VectorXd& b)
+Eigen::MatrixXd Relaxed_spins::solve_potential(const Eigen::MatrixXd& b)
 {
-  Eigen::VectorXd d = m_metric.solve_coupled(b);
-  ++m_costs.scalar_solves;
+  Eigen::MatrixXd d = m_metric.solve_coupled(b);
+  m_costs.scalar_solves += static_cast<int>(b.cols());
   if (!m_constants_are_free) return d;
   const Eigen::VectorXd& areas = m_metric.areas();
-  return d + m_constants * (areas.dot(d) / (areas.sum() - areas.dot(m_constants)));
+  const Eigen::RowVectorXd means = areas.transpose() * d;
+  return d + m_constants * (means / (areas.sum() - areas.dot(m_constants)));
 }
 
 auto Relaxed_spins::residual_product(const Spins& y) const -> Spins
@@ -201,18 +209,29 @@ auto Relaxed_spins::residual_product(const Spins& y) const -> Spins
   return sum;
 }
 
-auto Relaxed_spins::schur_product(const Spins& y) -> Spins
+auto Relaxed_spins::schur_product(const Vectors& y) -> Vectors
 {
-  const Spins z = m_linear->apply(y);
-  return m_linear->adjoint(z, solve_potential(m_linear->turned(z))) + residual_product(y);
+  std::vector<Spins> misfits;
+  Eigen::MatrixXd turned(y.rows(), y.cols());
+  for (Eigen::Index k = 0; k < y.cols(); ++k) {
+    Dirac_misfit::Image z = here().apply(y.col(k));
+    turned.col(k) = z.turned;
+    misfits.push_back(std::move(z.misfit));
+  }
+  const Eigen::MatrixXd d = solve_potential(turned);
+  Vectors product(y.rows(), y.cols());
+  for (Eigen::Index k = 0; k < y.cols(); ++k)
+    product.col(k) =
+        here().adjoint(misfits[static_cast<std::size_t>(k)], d.col(k)) + residual_product(y.col(k));
+  return product;
 }
 
 auto Relaxed_spins::solve_schur(Vectors b, const std::function<bool()>& go_further) -> Vectors
 {
   const auto product = [&](const Vectors& y) -> Vectors {
-    Vectors z(y.rows(), y.cols());
+    Vectors z = schur_product(y);
     for (Eigen::Index k = 0; k < y.cols(); ++k)
-      z.col(k) = m_gauge.projected_gradient(m_lambda, schur_product(y.col(k)));
+      z.col(k) = m_gauge.projected_gradient(m_lambda, z.col(k));
     return z;
   };
   const auto precondition = [&](const Vectors& g) -> Vectors {
@@ -235,10 +254,10 @@ auto Relaxed_spins::solve_schur(Vectors b, const std::function<bool()>& go_furth
 auto Relaxed_spins::step(const Unknown& unknown, const std::function<bool()>& go_further) -> Step
 {
   const Step g = gradient();
-  const Spins nothing = Spins::Constant(m_linear->residual().size(), {});
+  const Spins nothing = Spins::Constant(here().residual().misfit.size(), {});
   const bool asks = unknown.choose && unknown.response.size() == 0;
   Vectors forces(m_lambda.size(), asks ? 2 : 1);
-  forces.col(0) = m_linear->adjoint(nothing, solve_potential(g.potential)) - g.spins;
+  forces.col(0) = here().adjoint(nothing, solve_potential(g.potential)) - g.spins;
   if (asks) forces.col(1) = unknown.force;
   const Vectors changes = solve_schur(std::move(forces), go_further);
   Step s;
@@ -249,7 +268,7 @@ auto Relaxed_spins::step(const Unknown& unknown, const std::function<bool()>& go
     t = unknown.choose(m_lambda + s.spins, response);
     s.spins += t * response;
   }
-  s.potential = solve_potential(m_linear->turned(m_linear->apply(s.spins)) - g.potential);
+  s.potential = solve_potential(here().apply(s.spins).turned - g.potential);
   s.slope = inner_product(g.spins, s.spins).w + g.potential.dot(s.potential);
   if (t != 0) s.slope -= std::expm1(t) * inner_product(unknown.force, s.spins).w;
   return s;
@@ -276,15 +295,15 @@ auto Relaxed_spins::advance(const std::function<bool()>& go_further, const Unkno
   for (double t = 1; t >= shortest; t /= 2) {
     const Spins there = m_lambda + t * s.spins;
     if (!is_far_from_zero(there)) continue;
-    const Spins lambda = m_gauge.normalized(there);
-    const Eigen::VectorXd rho = m_rho + t * s.potential;
-    const double sum = terms_at(lambda, rho).sum();
+    Dirac_misfit next = misfit(m_gauge.normalized(there), m_rho + t * s.potential);
+    const double sum = terms_of(next).sum();
     if (!(sum <= p.before + 2 * decrease * t * s.slope)) continue;
     p.after = sum;
     p.length = t;
     p.moved = t * relative_size(s.spins, m_lambda, m_system.areas());
-    m_lambda = lambda;
-    m_rho = rho;
+    m_lambda = next.lambda();
+    m_rho = next.rho();
+    m_here.emplace(std::move(next));
     break;
   }
   m_preconditioner.moved(p.moved);
@@ -299,6 +318,7 @@ void Relaxed_spins::meet_few(bool is_anew)
   if (!is_far_from_zero(m_lambda - y)) return;
   m_preconditioner.moved(relative_size(y, m_lambda, m_system.areas()));
   m_lambda = m_gauge.normalized(m_lambda - y);
+  m_here.reset();
 }
 
 }  // namespace Conformal_geometry_processing::internal

@@ -35,9 +35,9 @@ class Potential_metric {
   /// \throw Solver_error if the factorization fails
   void couple(double w);
 
-  /// \brief (K + w M)^-1 b.
+  /// \brief (K + w M)^-1 b, for all columns of b at once.
   /// \throw Solver_error if the solver fails
-  Eigen::VectorXd solve_coupled(const Eigen::VectorXd& b) const;
+  Eigen::MatrixXd solve_coupled(const Eigen::MatrixXd& b) const;
 
   /// M, |V|
   const Eigen::VectorXd& areas() const { return m_areas; }
@@ -148,16 +148,16 @@ class Relaxed_spins {
   void restart(const Spins& lambda, const Eigen::VectorXd& rho);
 
   /// the terms here
-  Terms terms() const { return terms_at(m_lambda, m_rho); }
+  Terms terms() { return terms_of(here()); }
 
   /// \brief half the gradient of the sum of the terms, with respect to lambda and rho'.
   Step gradient();
 
-  /// \brief S y, the Schur complement of half the Hessian of Gauss and Newton.
+  /// S y, the Schur complement of half the Hessian of Gauss and Newton, for each column of y.
   /// \pre `linearize()` was called last
-  Spins schur_product(const Spins& y);
+  Vectors schur_product(const Vectors& y);
 
-  /// takes the derivatives here, and factors X where its factor is too old
+  /// takes the derivatives of the residuals here, and factors X where its factor is too old
   void linearize();
 
   /// the least-squares step. \pre `linearize()` was called last
@@ -178,10 +178,11 @@ class Relaxed_spins {
 
  private:
   Dirac_misfit misfit(const Spins& lambda, const Eigen::VectorXd& rho) const;
-  Terms terms_at(const Spins& lambda, const Eigen::VectorXd& rho) const;
+  const Dirac_misfit& here();
+  Terms terms_of(const Dirac_misfit& there) const;
   Eigen::VectorXd metric_product(const Eigen::VectorXd& d) const;
   void couple();
-  Eigen::VectorXd solve_potential(const Eigen::VectorXd& b);
+  Eigen::MatrixXd solve_potential(const Eigen::MatrixXd& b);
   Spins residual_product(const Spins& y) const;
   Vectors solve_schur(Vectors b, const std::function<bool()>& go_further);
   bool is_far_from_zero(const Spins& lambda) const;
@@ -199,9 +200,9 @@ class Relaxed_spins {
   Eigen::VectorXd m_wanted;
   Spins m_lambda;
   Eigen::VectorXd m_rho;
-  std::optional<Dirac_misfit> m_linear;
-  Eigen::VectorXd m_constants;  // H^-1 of the areas, where constants are free
-  int m_iterations = 0;         // of the last step
+  std::optional<Dirac_misfit> m_here;  // at lambda and rho', if it is known
+  Eigen::VectorXd m_constants;         // H^-1 of the areas, where constants are free
+  int m_iterations = 0;                // of the last step
   Relaxed_costs m_costs;
 };
 
