@@ -2,7 +2,10 @@
 // Tests examples/conformal/transform/Component_failures.cpp
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include "program/support.h"
+#include "support/bounded_meshes.h"
+#include "support/mesh_tools.h"
 #include "support/polyhedra.h"
+#include "support/random.h"
 #include "support/several_components.h"
 #include "support/spheres.h"
 #include "support/tori.h"
@@ -13,6 +16,7 @@
 
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace cgp_test::each_component_tests {
@@ -270,6 +274,42 @@ TEST_F(Each_component, has_boundary_conditions_targets_and_differences_of_its_ow
   ASSERT_EQ(run("blend a.off b.ply --t 0 -o e.ply" + each).code, 0);
   for (const auto& vertices : all.vertices)
     EXPECT_LT((points("e.ply", vertices) - points("a.off", vertices)).cwiseAbs().maxCoeff(), .05);
+}
+
+/// with other numbers of the vertices, and the faces in another order
+Mesh_view shuffled(const Mesh_view& mesh, const std::vector<int>& number)
+{
+  const Mesh_view other = cgp_test::renumbered(mesh, number);
+  Mesh_view::Corners corners;
+  for (const int f : cgp_test::random_permutation(mesh.size_of_faces(), 5))
+    corners.push_back(other.corners(f));
+  return {other.positions(), corners};
+}
+
+// A map, a handle, a boundary whose directions are kept, positions at it, and a flow.
+TEST_F(Each_component, has_the_same_bits_for_any_numbering_of_the_file)
+{
+  const Mesh_view sphere = cgp_test::bumpy_sphere(2), torus = cgp_test::torus(1, .4, 24, 12),
+                  cap = cap_from_disk(cgp_test::jittered_disk(8, .2), 1.2);
+  const std::string rho = "--rho-expression 'sin(3*x+y)' --on vertices ";
+  const std::vector<std::pair<Mesh_view, std::string>> runs = {
+      {sphere, "spin FILE " + rho},
+      {sphere, "spin FILE --max-scale none " + rho},
+      {torus, "spin FILE " + rho},
+      {cap, "spin FILE " + rho},
+      {cap, "spin FILE --boundary tangents " + rho},
+      {sphere, "flow FILE --steps 2 "}};
+  for (const auto& [mesh, command] : runs) {
+    const std::vector<int> number = cgp_test::random_permutation(mesh.size_of_vertices(), 4);
+    write("a.off", off(mesh));
+    write("b.off", off(shuffled(mesh, number)));
+    const auto with = [&, &text = command](const std::string& file) {
+      return std::string(text).replace(text.find("FILE"), 4, file);
+    };
+    ASSERT_EQ(run(with("a.off") + "-o a.ply").code, 0) << command;
+    ASSERT_EQ(run(with("b.off") + "-o b.ply").code, 0) << command;
+    EXPECT_EQ(points("a.ply", all_of(mesh)), points("b.ply", number)) << command;
+  }
 }
 
 }  // namespace cgp_test::each_component_tests

@@ -223,7 +223,9 @@ void spectrum(const Spectrum_options& options, Session& session)
     table += csv_rows(s, before);
     tell(s, options, own.report());
     conclude(s, options, own);
+    if (!options.surface) return;
     last = s;
+    last.vectors(component.vertices, Eigen::indexing::all) = s.vectors;
   });
   if (csv) {
     csv->write(table);

@@ -44,10 +44,17 @@ bool is_inside_out(const CGP::Mesh_view& mesh)
 
 }  // namespace
 
-Component whole_surface(const Surface_input& input)
+CGP::internal::Mesh_component whole_of(const CGP::Mesh_view& mesh)
 {
-  return {input, first_numbers(input.mesh.size_of_vertices()),
-          first_numbers(input.mesh.size_of_faces())};
+  return {mesh, first_numbers(mesh.size_of_vertices()), first_numbers(mesh.size_of_faces())};
+}
+
+Surface_input reordered(CGP::internal::Mesh_component& all, Surface_input whole)
+{
+  whole.mesh = std::move(all.mesh);
+  whole.vertex_in_file = selected(whole.vertex_in_file, all.vertices);
+  whole.face_in_file = selected(whole.face_in_file, all.faces);
+  return whole;
 }
 
 Surface_input input_of(const CGP::internal::Mesh_component& part, const Surface_input& whole)

@@ -11,13 +11,18 @@
 
 namespace conformal {
 
-/// one component of a surface, or the whole of it
+/// \brief one component of a surface, or the whole of it, in an order of its own that does not
+/// depend on that of the file, see `in_morton_order()`
 struct Component {
   const Surface_input& input;        ///< as if there were no other
   std::vector<int> vertices, faces;  ///< in the mesh of the whole surface
 };
 
-Component whole_surface(const Surface_input& input);
+/// the whole of a surface as its only component
+CGP::internal::Mesh_component whole_of(const CGP::Mesh_view& mesh);
+
+/// the whole of a surface, with the elements of its mesh, which is taken, in another order
+Surface_input reordered(CGP::internal::Mesh_component& all, Surface_input whole);
 
 /// a component as an input of its own, whose elements have their names in the file
 Surface_input input_of(const CGP::internal::Mesh_component& part, const Surface_input& whole);

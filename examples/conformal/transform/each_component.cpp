@@ -5,13 +5,17 @@
 
 #include "conformal/process/text.h"
 
+#include <Conformal_geometry_processing/mesh/morton_order.h>
 #include <Conformal_geometry_processing/mesh/topology.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
 namespace conformal {
 namespace {
+
+using CGP::internal::Mesh_component;
 
 void add_row(const Component_outcome& component, std::size_t number, Grid& grid)
 {
@@ -37,7 +41,8 @@ void attempt(const std::string& name, const Component& component, const Componen
   outcome.error = failures.attempt(name, [&] { work(component, own); });
   for (const std::string& note : outcome.notes) session.note(own.part() + note);
   session.outcome().seconds.add(outcome.seconds);
-  session.outcome().components.push_back({component.input.vertex_in_file.front(),
+  const std::vector<int>& in_file = component.input.vertex_in_file;
+  session.outcome().components.push_back({*std::min_element(in_file.begin(), in_file.end()),
                                           CGP::topology(component.input.mesh), std::move(outcome)});
 }
 
@@ -82,14 +87,19 @@ void conclude(const Component_failures& failures, Session& session)
 void each_component(const Surface_input& input, Session& session, const Component_work& work)
 {
   session.end_stage("prepare");
-  if (!session.options().each_component) return work(whole_surface(input), session);
-  std::vector<CGP::internal::Mesh_component> parts = CGP::mesh_components(input.mesh);
+  if (!session.options().each_component) {
+    Mesh_component all = in_morton_order(whole_of(input.mesh));
+    const Surface_input own = reordered(all, input);
+    return work({own, all.vertices, all.faces}, session);
+  }
+  const std::vector<Mesh_component> parts = CGP::mesh_components(input.mesh);
   Component_failures failures(session.input(), parts.size());
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const std::string name = "component " + std::to_string(i) + " (from " +
                              name_of_vertex(input, parts[i].vertices.front()) + ")";
-    const Surface_input own = input_of(parts[i], input);
-    attempt(name, {own, parts[i].vertices, parts[i].faces}, work, failures, session);
+    const Mesh_component part = in_morton_order(parts[i]);
+    const Surface_input own = input_of(part, input);
+    attempt(name, {own, part.vertices, part.faces}, work, failures, session);
   }
   tell_components(session);
   conclude(failures, session);

@@ -15,12 +15,12 @@ namespace internal {
 /// \ingroup PkgMesh
 /// \brief A part of a mesh, such as a connected component, as a separate mesh.
 ///
-/// Vertices and faces keep their order, so results are bitwise the same as for the part alone.
+/// Unless reordered, elements keep their order: results are bitwise those of the part alone.
 /// Matrices of the whole mesh are block diagonal with one block per component, so factorizations
 /// and eigenvectors of the blocks can be computed for each component.
 struct Mesh_component {
   Mesh_view mesh;
-  std::vector<int> vertices, faces;  ///< their indices in the whole mesh, ascending
+  std::vector<int> vertices, faces;  ///< their indices in the whole mesh
 };
 
 }  // namespace internal
