@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "bounded_flows.h"
@@ -108,7 +109,8 @@ TEST(Conformal_willmore_flow_with_boundary, stops_at_constant_mean_curvature)
   expect_falling(report);
 }
 
-// The first binormals, which it keeps, are those of vertices: first order.
+// The first binormals, which it keeps, are those of faces: first order. What a step misses of them
+// may raise the energy while the deviation of H falls.
 TEST(Conformal_willmore_flow_with_boundary, on_the_exact_class_tends_to_constant_mean_curvature)
 {
   std::vector<double> excess;
@@ -116,10 +118,14 @@ TEST(Conformal_willmore_flow_with_boundary, on_the_exact_class_tends_to_constant
     const CGP::Flow_report report = flown(bumpy_cap(n), Boundary_condition::binormals());
     EXPECT_EQ(report.stop, CGP::Flow_step_report::Stop::energy_settled) << report.message;
     excess.push_back(report.energy - 2.9989);
-    expect_falling(report);
+    for (const CGP::Flow_step_report& step : report.steps)
+      EXPECT_TRUE(step.energy < step.energy_before ||
+                  step.direction_norm_after < .9 * step.direction_norm);
+    EXPECT_LT(report.direction_norm, .02 * std::sqrt(report.energy));
+    EXPECT_LT(report.direction_norm, .05 * report.steps.front().direction_norm);
   }
-  EXPECT_LT(excess[0], .1);
-  EXPECT_LT(excess[1], .65 * excess[0]);
+  EXPECT_LT(excess[0], .13);
+  EXPECT_LT(excess[1], .55 * excess[0]);
 }
 
 TEST(Conformal_willmore_flow_with_boundary, keeps_a_cap_and_loses_its_bumps_by_a_filter)
