@@ -40,6 +40,14 @@ if [ "$way" != subdirectory ] && command -v pkg-config >/dev/null; then # withou
   "$compiler" -std=c++17 "$root/test/downstream/kernels.cpp" "${flags[@]}" -o "$work/build/downstream_pkg_config" \
     "-Wl,-rpath,$(pkg-config --variable=libdir conformal_geometry_kernels)"
 fi
+if [ "$way" = installed ]; then # the component's headers are there, and it says what they need
+  mkdir "$work/slepc"
+  printf '%s\n' 'cmake_minimum_required(VERSION 3.23)' 'project(slepc LANGUAGES CXX)' \
+    'find_package(Conformal_geometry_processing REQUIRED COMPONENTS slepc)' >"$work/slepc/CMakeLists.txt"
+  ! cmake -S "$work/slepc" -B "$work/slepc/build" -DCMAKE_PREFIX_PATH="$work/prefix" \
+    -DCMAKE_DISABLE_FIND_PACKAGE_SLEPc=ON >"$work/refusal" 2>&1
+  grep -q 'slepc needs SLEPc' "$work/refusal" || { cat "$work/refusal"; exit 1; }
+fi
 for program in "$work"/build/downstream_*; do
   "$program"
 done

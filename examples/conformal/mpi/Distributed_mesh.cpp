@@ -80,10 +80,9 @@ Distributed_mesh::Distributed_mesh(const Ply_ranges& file)
   });
   take_vertices(file, in_file, divide(corners, in_file));
   take_faces(corners, in_file);
-  together([&] { require_closed_stars(); });
+  together([&] { require_stars(); });
   require_connected();
-  // V - E + F = 2 - 2 g, with 2 E = 3 F
-  m_handles = (2 - file.vertices() + file.faces() / 2) / 2;
+  require_sphere_or_disk();
 }
 
 std::vector<int> Distributed_mesh::divide(const std::vector<std::array<int, 3>>& corners,
@@ -225,8 +224,15 @@ Eigen::MatrixXd Distributed_mesh::from_order_of_file(const Eigen::MatrixXd& orde
   return own;
 }
 
-// All faces around an own vertex are in the part.
-void Distributed_mesh::require_closed_stars() const
+CGP::internal::Surface_part Distributed_mesh::part() const
+{
+  return {own_vertices(), m_own_faces, [this](int edge) { return counts(edge); },
+          [](const Eigen::VectorXd& own) { return sum_of(own); },
+          [](double own) { return largest(own); }};
+}
+
+// All faces around an own vertex are in the part: a fan from one boundary to the other, or a wheel.
+void Distributed_mesh::require_stars() const
 {
   const auto name = [&](int v) { return "vertex " + std::to_string(m_number_in_file[at(v)]); };
   std::vector<int> faces(at(own_vertices()), 0), begin(at(own_vertices()), -1);
@@ -236,22 +242,38 @@ void Distributed_mesh::require_closed_stars() const
     const int own = (std::min)(i, j);
     if (i == j) throw Failure(Exit_code::unsuitable, "a face has two corners at " + name(own));
     const int k = m_mesh.edge(h);
-    if (m_mesh.halfedges_end(k) - m_mesh.halfedges_begin(k) != 2 || m_mesh.twin(h) < 0)
+    const auto sides = m_mesh.halfedges_end(k) - m_mesh.halfedges_begin(k);
+    if (sides > 2 || (sides == 2 && m_mesh.twin(h) < 0))
       throw Failure(Exit_code::unsuitable,
-                    "an edge at " + name(own) +
-                        " has not two faces that are oriented alike; only closed surfaces can be "
-                        "divided yet; try: conformal spin");
-    if (i < own_vertices()) ++faces[at(i)], begin[at(i)] = h;
+                    "an edge at " + name(own) + " has not two faces that are oriented alike");
+    if (i >= own_vertices()) continue;
+    ++faces[at(i)];
+    if (sides == 1 || begin[at(i)] < 0) begin[at(i)] = h;
   }
   for (int v = 0; v < own_vertices(); ++v) {
     if (faces[at(v)] == 0) throw Failure(Exit_code::unsuitable, name(v) + " has no face");
     int around = 0, h = begin[at(v)];
     do {  // to the next halfedge from v
       h = m_mesh.twin(CGP::Mesh_view::previous_in_face(h));
-    } while (++around <= faces[at(v)] && h != begin[at(v)]);
+    } while (++around <= faces[at(v)] && h >= 0 && h != begin[at(v)]);
     if (around != faces[at(v)])
       throw Failure(Exit_code::unsuitable, "the surface touches itself at " + name(v));
   }
+}
+
+// V - E + F is 2 - 2 g - b with g handles and b boundaries.
+void Distributed_mesh::require_sphere_or_disk()
+{
+  Eigen::Vector2d edges(0, 0);
+  for (int k = 0; k < m_mesh.size_of_edges(); ++k)
+    if (counts(k))
+      edges += Eigen::Vector2d(1, m_mesh.halfedges_end(k) - m_mesh.halfedges_begin(k) == 1);
+  edges = sum_of(edges);
+  m_is_closed = edges[1] == 0;
+  const double characteristic = m_ranges.total() - edges[0] + sum(static_cast<double>(m_own_faces));
+  if (characteristic != (m_is_closed ? 2 : 1))
+    throw Failure(Exit_code::unsuitable,
+                  "the surface has handles or holes, which only conformal spin keeps closed");
 }
 
 // The least number of a component spreads in each part at once, and then between parts.

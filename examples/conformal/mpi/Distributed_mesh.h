@@ -3,6 +3,8 @@
 
 #include "Ply_ranges.h"
 
+#include <Conformal_geometry_processing/mesh/Surface_part.h>
+
 #include <Eigen/Core>
 
 #include <string>
@@ -10,7 +12,7 @@
 
 namespace conformal::mpi {
 
-/// \brief The part of a closed surface that a process works on: its own vertices, all faces that
+/// \brief The part of a sphere or disk that a process works on: its own vertices, all faces that
 /// touch these, and the other corners of these faces, which are other processes' own.
 ///
 /// Vertices have new numbers, in which those of a process are a range. In the mesh of the part,
@@ -20,7 +22,8 @@ class Distributed_mesh {
  public:
   /// \brief Reads the file in parts and divides the surface by its graph (PT-Scotch), such that few
   /// edges run between processes. Collective.
-  /// \throws Failure if the surface is not closed, connected, and a manifold
+  /// \throws Failure if the surface is no connected manifold without handles, with one boundary or
+  /// none
   explicit Distributed_mesh(const Ply_ranges& file);
 
   const CGP::Mesh_view& mesh() const { return m_mesh; }
@@ -55,7 +58,10 @@ class Distributed_mesh {
   /// the inverse of `in_order_of_file()`
   Eigen::MatrixXd from_order_of_file(const Eigen::MatrixXd& ordered) const;
 
-  int handles() const { return m_handles; }
+  bool is_closed() const { return m_is_closed; }
+
+  /// with which functions on the mesh of the part measure the whole surface, collectively
+  CGP::internal::Surface_part part() const;
 
  private:
   std::vector<int> divide(const std::vector<std::array<int, 3>>& corners,
@@ -63,8 +69,9 @@ class Distributed_mesh {
   void take_vertices(const Ply_ranges& file, const Ranges& in_file, const std::vector<int>& parts);
   void take_faces(const std::vector<std::array<int, 3>>& corners, const Ranges& in_file);
   void require_surface(const std::string& path) const;
-  void require_closed_stars() const;
+  void require_stars() const;
   void require_connected() const;
+  void require_sphere_or_disk();
 
   Ranges m_ranges;
   std::vector<int> m_number_in_file;     // of the own vertices
@@ -73,7 +80,8 @@ class Distributed_mesh {
   std::vector<std::vector<int>> m_sent;  // own vertices that each process needs
   CGP::Points m_own_positions;
   CGP::Mesh_view m_mesh;
-  int m_own_faces = 0, m_handles = 0;
+  int m_own_faces = 0;
+  bool m_is_closed = true;
 };
 
 }  // namespace conformal::mpi

@@ -28,7 +28,7 @@ namespace conformal::mpi {
 namespace {
 
 const char* const spin_about =
-    "Deforms a closed surface without handles conformally so that its mean curvature changes by "
+    "Deforms a sphere or a disk of any shape conformally so that its mean curvature changes by "
     "rho,\n"
     "as `conformal spin --max-scale none` does, on many processes, which may be on many machines:\n"
     "  mpirun -n 4 conformal-mpi spin BIG.ply --rho-expression ... -o OUT.ply\n"
@@ -70,7 +70,7 @@ struct Job {
 /// what the first process tells of the result
 struct Told {
   CGP::Spin_report report;
-  int vertices = 0, faces = 0, handles = 0;
+  int vertices = 0, faces = 0;
   std::vector<double> megabytes, own_vertices, other_vertices;  // of each process
   std::vector<std::string> left_out;
 };
@@ -143,11 +143,6 @@ void do_job(const Job& job, const Go_further& go_further, const Approve& approve
   std::optional<Ply_ranges> file;
   together([&] { file.emplace(job.input); });
   const Distributed_mesh mesh(*file);
-  together([&] {
-    if (mesh.handles() != 0)
-      throw unsuitable(job.input, "the surface has " + std::to_string(mesh.handles()) +
-                                      " handles, which only conformal spin keeps closed");
-  });
   const Frame frame(mesh.mesh().positions().leftCols(mesh.own_vertices()));
   const Eigen::VectorXd rho = rho_of(job, mesh, frame);
   CGP::Dirac_options dirac;
@@ -161,7 +156,6 @@ void do_job(const Job& job, const Go_further& go_further, const Approve& approve
   const Told told{result.report,
                   file->vertices(),
                   file->faces(),
-                  mesh.handles(),
                   of_each(peak_megabytes()),
                   of_each(mesh.own_vertices()),
                   of_each(mesh.mesh().size_of_vertices() - mesh.own_vertices()),

@@ -4,6 +4,8 @@
 #include <Conformal_geometry_processing/measure/distortion.h>
 #include <Conformal_geometry_processing/mesh/Normalized_frame.h>
 
+#include <Eigen/Core>
+
 #include <ostream>
 
 namespace Conformal_geometry_processing {
@@ -35,18 +37,20 @@ const char* to_string(Conformality::Fault fault)
 
 namespace internal {
 
-/// \pre squares of areas neither overflow nor underflow
 Conformality measured_conformality(const Mesh_view& mesh, const Points& positions,
-                                   const Points& expected_normals)
+                                   const Points& expected_normals, const Surface_part& part)
 {
-  const Face_maps maps(mesh, positions);
+  const Face_maps maps(mesh, positions, part);
+  const Eigen::Vector3d sums =
+      part.sum(Eigen::Vector3d(maps.quasi_conformal.dot(maps.new_areas), maps.new_areas.sum(),
+                               static_cast<double>(maps.areas.size())));
   Conformality c;
-  c.quasi_conformal = distribution(maps.quasi_conformal, maps.areas);
-  c.quasi_conformal_of_new_area = maps.quasi_conformal.dot(maps.new_areas) / maps.new_areas.sum();
-  c.length_cross_ratio = length_cross_ratio_change(mesh, positions);
-  c.scale = area_distortion(maps);
-  c.flipped_faces = flipped_faces(mesh, positions, expected_normals);
-  c.flipped_share = double(c.flipped_faces) / mesh.size_of_faces();
+  c.quasi_conformal = distribution(maps.quasi_conformal, maps.areas, part);
+  c.quasi_conformal_of_new_area = sums[0] / sums[1];
+  c.length_cross_ratio = length_cross_ratio_change(mesh, positions, part);
+  c.scale = area_distortion(maps, part);
+  c.flipped_faces = flipped_faces(mesh, positions, expected_normals, part);
+  c.flipped_share = c.flipped_faces / sums[2];
   return c;
 }
 

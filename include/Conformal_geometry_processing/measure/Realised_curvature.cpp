@@ -64,8 +64,9 @@ Eigen::VectorXd values_at_vertices(const Mesh_view& mesh, const Curvature_potent
 Eigen::VectorXd judged_areas(const Surface_ref& surface, const Surface_part& part,
                              const Eigen::VectorXd& before, const Eigen::VectorXd& after)
 {
-  const Eigen::Vector3d sums = part.sum(Eigen::Vector3d(
-      before.head(part.own).sum(), after.head(part.own).sum(), static_cast<double>(part.own)));
+  const int own = part.own_vertices(before.size());
+  const Eigen::Vector3d sums =
+      part.sum(Eigen::Vector3d(before.head(own).sum(), after.head(own).sum(), own));
   const double least = 1e-9 * sums[0] / sums[2];  // rounding dominates what is smaller
   const double least_ratio = 1e-8 * sums[1] / sums[0];
   const std::vector<char> is_at_rim = boundary_vertices(surface);
@@ -83,7 +84,7 @@ Realised_curvature compared(const Eigen::VectorXd& realised, const Eigen::Vector
 {
   const auto square = [&](const Eigen::VectorXd& v) { return areas.dot(v.cwiseAbs2()); };
   const Eigen::VectorXd judged = (areas.array() > 0).select(asked, 0.);
-  const double largest = part.largest(judged.cwiseAbs().maxCoeff());
+  const double largest = part.largest(judged.cwiseAbs());
   double large = 0, wrong = 0;
   for (Eigen::Index v = 0; v < areas.size(); ++v) {
     if (std::abs(asked[v]) <= largest / 4) continue;
@@ -128,30 +129,30 @@ std::optional<Realised_curvature> realised_curvature(const Mesh_view& mesh, cons
                                                      const Eigen::VectorXd& rho,
                                                      bool constants_have_effect,
                                                      const Surface_ref& surface,
+                                                     const Smooth& smoothed,
                                                      const Surface_part& part)
 {
+  const int own = part.own_vertices(positions.cols());
   const Vertex_integrals before(mesh, mesh.positions()), after(mesh, positions);
-  const Eigen::VectorXd areas =
-      judged_areas(surface, part, before.areas, after.areas).head(part.own);
+  const Eigen::VectorXd areas = judged_areas(surface, part, before.areas, after.areas).head(own);
   Block<double> b = integrals(before, after, areas, rho);
   Eigen::VectorXd sums(6);
   sums << areas.sum(), b.col(0).sum(), b.col(1).sum(), b.col(1).cwiseAbs().sum(),
-      before.areas.head(part.own).sum(), static_cast<double>(part.own);
+      before.areas.head(own).sum(), own;
   sums = part.sum(sums);
   const double area = sums[0], whole = sums[4];
   if (!(area > 0)) return std::nullopt;
   if (!constants_have_effect)
     for (int k = 0; k < 2; ++k) b.col(k) -= sums[1 + k] / area * areas;
   const double rounding = 1e-10;
-  const Eigen::VectorXd size = part.sum(Eigen::VectorXd::Constant(1, b.col(1).cwiseAbs().sum()));
-  if (!(size[0] > rounding * sums[3])) return std::nullopt;
+  if (!(part.sum(b.col(1).cwiseAbs().sum()) > rounding * sums[3])) return std::nullopt;
 
   const double l = Realised_curvature::smoothing_length;
   const double l_squared = l * l * whole / (4 * 3.14159265358979323846);
   // Unjudged vertices interpolate; their small masses are for parts where no vertex is judged.
   const Eigen::VectorXd masses = areas.cwiseMax(1e-9 * whole / sums[5]) / l_squared;
   b /= l_squared;
-  const Block<double> smooth = part.smooth(b, masses);
+  const Block<double> smooth = smoothed(b, masses);
 
   Realised_curvature result = compared(smooth.col(0), smooth.col(1), areas, part);
   Eigen::Vector2d norms(0, areas.dot(smooth.col(1).cwiseAbs2()));
@@ -179,10 +180,7 @@ std::optional<Realised_curvature> realised_curvature(const Mesh_view& mesh, cons
     check_smoothing("solution", solver.solve(b, x));
     return x;
   };
-  const Surface_part whole{mesh.size_of_vertices(),
-                           [](const Eigen::VectorXd& sums) { return sums; },
-                           [](double value) { return value; }, smooth};
-  return realised_curvature(mesh, positions, rho, constants_have_effect, surface, whole);
+  return realised_curvature(mesh, positions, rho, constants_have_effect, surface, smooth);
 }
 
 }  // namespace internal

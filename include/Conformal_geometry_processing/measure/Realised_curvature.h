@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
+#include <Conformal_geometry_processing/mesh/Surface_part.h>
 #include <Conformal_geometry_processing/mesh/Surface_ref.h>
 #include <Conformal_geometry_processing/operators/Curvature_potential.h>
 #include <Quaternionic_linear_algebra/algebra/Hermitian_sparse_matrix.h>
@@ -72,16 +73,8 @@ void check_smoothing(const char* step, Solver_status status);
 /// rho at the vertices: on faces, the mean of those around, weighted by area
 Eigen::VectorXd values_at_vertices(const Mesh_view& mesh, const Curvature_potential& rho);
 
-/// \brief a part of a surface, with all faces around its own vertices, which come first, and what
-/// it takes to measure the whole: a surface of one part is the whole.
-struct Surface_part {
-  Eigen::Index own;
-  std::function<Eigen::VectorXd(const Eigen::VectorXd&)>
-      sum;                                ///< of each coefficient, of all parts
-  std::function<double(double)> largest;  ///< of all parts
-  /// (L + masses)^-1 b of the own vertices
-  std::function<Block<double>(const Block<double>& b, const Eigen::VectorXd& masses)> smooth;
-};
+/// \brief (L + masses)^-1 b of the own vertices
+using Smooth = std::function<Block<double>(const Block<double>& b, const Eigen::VectorXd& masses)>;
 
 /// \brief the same of a surface in parts.
 /// \param mesh,positions,rho,surface of the part; see below
@@ -89,7 +82,8 @@ std::optional<Realised_curvature> realised_curvature(const Mesh_view& mesh, cons
                                                      const Eigen::VectorXd& rho,
                                                      bool constants_have_effect,
                                                      const Surface_ref& surface,
-                                                     const Surface_part& part);
+                                                     const Smooth& smooth,
+                                                     const Surface_part& part = {});
 
 /// \brief the same with the Laplacian of another triangulation of the surface.
 /// \param mesh the faces that are judged; where thin ones are left out, the gradient of area lacks

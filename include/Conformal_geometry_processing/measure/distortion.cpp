@@ -19,53 +19,68 @@
 namespace Conformal_geometry_processing {
 namespace internal {
 
-// The first part ends so that upper quantiles are most likely in the few values beyond it.
+// The range is halved, and what is outside given up, until one value is left.
 double weighted_quantile(const Eigen::VectorXd& values, const Eigen::VectorXd& weights,
-                         double share)
+                         double share, const Surface_part& part)
 {
-  std::vector<std::pair<double, double>> pairs;  // side by side, as halving reads them often
-  pairs.reserve(static_cast<std::size_t>(values.size()));
-  for (Eigen::Index i = 0; i < values.size(); ++i) pairs.emplace_back(values[i], weights[i]);
-  const double wanted = share * weights.sum();
-  double below = 0;  // the weight before `first`; the quantile is in [first, last)
-  double part = (std::max)(.5, 2 * share - 1);
-  auto first = pairs.begin(), last = pairs.end();
-  for (; last - first > 1; part = .5) {
-    const auto size = last - first;
-    const auto middle =
-        first + std::clamp(static_cast<std::ptrdiff_t>(part * static_cast<double>(size)),
-                           std::ptrdiff_t{1}, size - 1);
-    std::nth_element(first, middle, last);
-    const double weight = std::accumulate(
-        first, middle, 0., [](double sum, const auto& pair) { return sum + pair.second; });
-    if (below + weight >= wanted) {
-      last = middle;
+  std::vector<std::pair<double, double>> left;  // side by side, as halving reads them often
+  left.reserve(static_cast<std::size_t>(values.size()));
+  for (Eigen::Index i = 0; i < values.size(); ++i) left.emplace_back(values[i], weights[i]);
+  const double wanted = share * part.sum(weights.sum());
+  double below = 0, low = part.smallest(values), high = part.largest(values);
+  while (low < high) {
+    const double middle = (std::min)(low / 2 + high / 2, std::nextafter(high, low));
+    const auto upper = std::partition(left.begin(), left.end(),
+                                      [&](const auto& pair) { return pair.first <= middle; });
+    const double half = part.sum(std::accumulate(
+        left.begin(), upper, 0., [](double sum, const auto& pair) { return sum + pair.second; }));
+    if (below + half >= wanted) {
+      left.erase(upper, left.end());
     } else {
-      below += weight;
-      first = middle;
+      below += half;
+      left.erase(left.begin(), upper);
     }
+    Eigen::VectorXd ends;  // none where this part has no value left
+    if (const auto [least, most] = std::minmax_element(left.begin(), left.end()); !left.empty())
+      ends = Eigen::Vector2d(least->first, most->first);
+    low = part.smallest(ends);
+    high = part.largest(ends);
   }
-  return first->first;
+  return high;
 }
 
 }  // namespace internal
 
-internal::Distribution distribution(const Eigen::VectorXd& values, const Eigen::VectorXd& weights)
+internal::Distribution distribution(const Eigen::VectorXd& values, const Eigen::VectorXd& weights,
+                                    const internal::Surface_part& part)
 {
-  if (values.size() == 0) return {};
-  return {values.dot(weights) / weights.sum(), internal::weighted_quantile(values, weights, 0.99),
-          values.maxCoeff()};
+  const Eigen::Vector3d sums = part.sum(
+      Eigen::Vector3d(values.dot(weights), weights.sum(), static_cast<double>(values.size())));
+  if (sums[2] == 0) return {};
+  return {sums[0] / sums[1], internal::weighted_quantile(values, weights, 0.99, part),
+          part.largest(values)};
 }
+
+namespace internal {
+
+/// the weight in each of the intervals of `histogram()`
+Eigen::VectorXd weights_of_bins(const Eigen::VectorXd& values, const Eigen::VectorXd& weights,
+                                int bins, double low, double high)
+{
+  Eigen::VectorXd sums = Eigen::VectorXd::Zero(bins);
+  for (Eigen::Index i = 0; i < values.size(); ++i) {
+    const double t = (values[i] - low) / (high - low) * bins;
+    sums[t > 0 ? static_cast<Eigen::Index>((std::min)(t, bins - 1.)) : 0] += weights[i];
+  }
+  return sums;
+}
+
+}  // namespace internal
 
 Eigen::VectorXd histogram(const Eigen::VectorXd& values, const Eigen::VectorXd& weights, int bins,
                           double low, double high)
 {
-  Eigen::VectorXd share = Eigen::VectorXd::Zero(bins);
-  for (Eigen::Index i = 0; i < values.size(); ++i) {
-    const double t = (values[i] - low) / (high - low) * bins;
-    share[t > 0 ? static_cast<Eigen::Index>((std::min)(t, bins - 1.)) : 0] += weights[i];
-  }
-  return share / weights.sum();
+  return internal::weights_of_bins(values, weights, bins, low, high) / weights.sum();
 }
 
 namespace internal {
@@ -99,12 +114,12 @@ double quasi_conformal_error(const Flat_triangle& s, const Flat_triangle& t)
   return std::isnan(Q) ? HUGE_VAL : Q;
 }
 
-Face_maps::Face_maps(const Mesh_view& mesh, const Points& positions)
-    : quasi_conformal(mesh.size_of_faces()),
-      areas(mesh.size_of_faces()),
-      new_areas(mesh.size_of_faces())
+Face_maps::Face_maps(const Mesh_view& mesh, const Points& positions, const Surface_part& part)
+    : quasi_conformal(part.own_faces(mesh.size_of_faces())),
+      areas(quasi_conformal.size()),
+      new_areas(quasi_conformal.size())
 {
-  for_each_index(mesh.size_of_faces(), 512, [&](int f) {
+  for_each_index(static_cast<int>(areas.size()), 512, [&](int f) {
     const Flat_triangle s(mesh.positions(), mesh.corners(f)), t(positions, mesh.corners(f));
     quasi_conformal[f] = quasi_conformal_error(s, t);
     areas[f] = s.area;
@@ -137,28 +152,27 @@ Eigen::VectorXd length_scales(const Mesh_view& mesh, const Points& positions)
 
 namespace internal {
 
-double collapsed_share(const Eigen::VectorXd& octaves, const Face_maps& maps)
-{
-  const double limit = std::log2(10.);
-  const auto shrank = octaves.array() < -limit;
-  const auto grew = octaves.array() > limit;
-  return (std::max)(shrank.select(maps.areas.array(), 0).sum() / maps.areas.sum(),
-                    grew.select(maps.new_areas.array(), 0).sum() / maps.new_areas.sum());
-}
-
-Area_distortion area_distortion(const Face_maps& maps)
+Area_distortion area_distortion(const Face_maps& maps, const Surface_part& part)
 {
   const Eigen::VectorXd scale = maps.length_scales(), u = scale.array().log();
-  const Eigen::VectorXd& areas = maps.areas;
-  const double mean = areas.dot(u) / areas.sum();
-  const double variance = areas.dot((u.array() - mean).square().matrix()) / areas.sum();
+  const Eigen::VectorXd &areas = maps.areas, &now = maps.new_areas;
+  const Eigen::Vector3d sums = part.sum(Eigen::Vector3d(areas.sum(), now.sum(), areas.dot(u)));
+  const double mean = sums[2] / sums[0];
   // the root mean square, which keeps the total area
-  const double usual = std::log(maps.new_areas.sum() / areas.sum()) / 2;
-  const Eigen::VectorXd octaves = (u.array() - usual) / std::log(2.);
-  Area_distortion d{scale.minCoeff(), scale.maxCoeff(), std::sqrt(variance),
-                    collapsed_share(octaves, maps)};
-  d.histogram =
-      histogram(octaves, areas, static_cast<int>(d.histogram.size()), -d.octaves, d.octaves);
+  const double usual = std::log(sums[1] / sums[0]) / 2, limit = std::log2(10.);
+  const Eigen::ArrayXd octaves = (u.array() - usual) / std::log(2.);
+  Area_distortion d;
+  Eigen::VectorXd shares(3 + d.histogram.size());
+  shares << areas.dot((u.array() - mean).square().matrix()),
+      (octaves < -limit).select(areas.array(), 0).sum(),
+      (octaves > limit).select(now.array(), 0).sum(),
+      weights_of_bins(octaves, areas, static_cast<int>(d.histogram.size()), -d.octaves, d.octaves);
+  shares = part.sum(shares);
+  d.min_scale = part.smallest(scale);
+  d.max_scale = part.largest(scale);
+  d.log_deviation = std::sqrt(shares[0] / sums[0]);
+  d.collapsed_share = (std::max)(shares[1] / sums[0], shares[2] / sums[1]);
+  d.histogram = shares.tail(d.histogram.size()) / sums[0];
   return d;
 }
 
@@ -196,7 +210,8 @@ Eigen::VectorXd log_length_cross_ratios(const Mesh_view& mesh, const Points& pos
 
 // The logarithm of the ratio of both cross-ratios is the cross-ratio of the stretched lengths.
 internal::Length_cross_ratio_change length_cross_ratio_change(const Mesh_view& mesh,
-                                                              const Points& positions)
+                                                              const Points& positions,
+                                                              const internal::Surface_part& part)
 {
   Eigen::VectorXd log_stretch(mesh.size_of_edges());
   internal::for_each_index(mesh.size_of_edges(), 1024, [&](int k) {
@@ -204,12 +219,17 @@ internal::Length_cross_ratio_change length_cross_ratio_change(const Mesh_view& m
                               internal::squared_length(mesh, mesh.positions(), k)) /
                      2;
   });
-  int interior = 0;
-  for (int k = 0; k < mesh.size_of_edges(); ++k)
-    interior += mesh.halfedges_end(k) - mesh.halfedges_begin(k) == 2;
-  if (interior == 0) return {};
   const Eigen::VectorXd change = internal::log_cross_ratios(mesh, log_stretch);
-  return {change.norm() / std::sqrt(interior), change.cwiseAbs().maxCoeff()};
+  Eigen::Vector2d sums(0, 0);
+  double most = 0;
+  for (int k = 0; k < mesh.size_of_edges(); ++k)
+    if (part.counts(k) && mesh.halfedges_end(k) - mesh.halfedges_begin(k) == 2) {
+      sums += Eigen::Vector2d(change[k] * change[k], 1);
+      most = (std::max)(most, std::abs(change[k]));
+    }
+  sums = part.sum(sums);
+  if (sums[1] == 0) return {};
+  return {std::sqrt(sums[0] / sums[1]), part.largest(Eigen::VectorXd::Constant(1, most))};
 }
 
 Points neighbourhood_normals(const Mesh_view& mesh)
@@ -237,12 +257,13 @@ Points neighbourhood_normals(const Mesh_view& before, const Points& positions)
   return normals;
 }
 
-int flipped_faces(const Mesh_view& mesh, const Points& positions, const Points& expected)
+int flipped_faces(const Mesh_view& mesh, const Points& positions, const Points& expected,
+                  const internal::Surface_part& part)
 {
   int count = 0;
-  for (int f = 0; f < mesh.size_of_faces(); ++f)
+  for (int f = 0; f < part.own_faces(mesh.size_of_faces()); ++f)
     count += !(mesh.double_area_vector(f, positions).dot(expected.col(f)) > 0);
-  return count;
+  return static_cast<int>(part.sum(count));
 }
 
 }  // namespace Conformal_geometry_processing

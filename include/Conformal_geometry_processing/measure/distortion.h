@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
+#include <Conformal_geometry_processing/mesh/Surface_part.h>
 
 #include <Eigen/Core>
 
@@ -16,15 +17,17 @@ struct Distribution {
   double max = 0;
 };
 
-/// the least value with at least a share of the weight at or below it; O(n)
+/// the least value with at least a share of the weight at or below it; O(n log(range))
+/// \param values more than -infinity
 double weighted_quantile(const Eigen::VectorXd& values, const Eigen::VectorXd& weights,
-                         double share);
+                         double share, const Surface_part& part = {});
 
 }  // namespace internal
 
 /// \ingroup PkgMeasure
-/// Returns statistics of values with positive weights, usually areas; O(n)
-internal::Distribution distribution(const Eigen::VectorXd& values, const Eigen::VectorXd& weights);
+/// Returns statistics of values with positive weights, usually areas
+internal::Distribution distribution(const Eigen::VectorXd& values, const Eigen::VectorXd& weights,
+                                    const internal::Surface_part& part = {});
 
 /// \ingroup PkgMeasure
 /// Returns the share of the weight in each of `bins` intervals of equal width from `low` to `high`;
@@ -41,7 +44,7 @@ struct Face_maps {
   Eigen::VectorXd areas, new_areas;  ///< of the faces
 
   /// \param positions the new ones, 3 x |V|
-  Face_maps(const Mesh_view& mesh, const Points& positions);
+  Face_maps(const Mesh_view& mesh, const Points& positions, const Surface_part& part = {});
 
   Eigen::VectorXd length_scales() const;  ///< sqrt(new area / old area)
 };
@@ -85,7 +88,7 @@ struct Area_distortion {
   Shares histogram = Shares::Zero();
 };
 
-Area_distortion area_distortion(const Face_maps& maps);
+Area_distortion area_distortion(const Face_maps& maps, const Surface_part& part = {});
 
 }  // namespace internal
 
@@ -114,8 +117,8 @@ struct Length_cross_ratio_change {
 
 /// \ingroup PkgMeasure
 /// Returns the change of the log length cross-ratios from the mesh to the new positions, 3 x |V|
-internal::Length_cross_ratio_change length_cross_ratio_change(const Mesh_view& mesh,
-                                                              const Points& positions);
+internal::Length_cross_ratio_change length_cross_ratio_change(
+    const Mesh_view& mesh, const Points& positions, const internal::Surface_part& part = {});
 
 /// \ingroup PkgMeasure
 /// \brief Returns the expected normals of the faces of a surface without folds: the sum of the
@@ -137,6 +140,7 @@ Points neighbourhood_normals(const Mesh_view& before, const Points& positions);
 /// that have area zero
 /// \param positions the new ones, 3 x |V|
 /// \param expected 3 x |F|, for instance the old normals rotated by the spins of the faces
-int flipped_faces(const Mesh_view& mesh, const Points& positions, const Points& expected);
+int flipped_faces(const Mesh_view& mesh, const Points& positions, const Points& expected,
+                  const internal::Surface_part& part = {});
 
 }  // namespace Conformal_geometry_processing

@@ -3,12 +3,16 @@
 
 namespace Conformal_geometry_processing {
 
-double mean_edge_length(const Surface_ref& surface)
+double mean_edge_length(const Surface_ref& surface, const internal::Surface_part& part)
 {
-  double sum = 0;
+  Eigen::Vector2d sums(0, 0);
   for (int k = 0; k < surface.size_of_edges(); ++k)
-    sum += (surface.position(surface.ends(k)[1]) - surface.position(surface.ends(k)[0])).norm();
-  return sum / surface.size_of_edges();
+    if (part.counts(k)) {
+      const auto [i, j] = surface.ends(k);
+      sums += Eigen::Vector2d((surface.position(j) - surface.position(i)).norm(), 1);
+    }
+  sums = part.sum(sums);
+  return sums[0] / sums[1];
 }
 
 }  // namespace Conformal_geometry_processing

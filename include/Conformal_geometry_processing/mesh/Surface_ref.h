@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
+#include <Conformal_geometry_processing/mesh/Surface_part.h>
 #include <Conformal_geometry_processing/mesh/topology.h>
 
 #include <Eigen/Core>
@@ -96,6 +97,6 @@ inline std::vector<char> boundary_vertices(const Surface_ref& surface)
 /// \ingroup PkgMesh
 /// the mean length h of the edges
 /// \pre there is an edge
-double mean_edge_length(const Surface_ref& surface);
+double mean_edge_length(const Surface_ref& surface, const internal::Surface_part& part = {});
 
 }  // namespace Conformal_geometry_processing

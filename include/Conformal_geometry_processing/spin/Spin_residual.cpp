@@ -102,10 +102,10 @@ Block<Quaternion<double>> log_scale_gradient(const Quaternion_vector<double>& la
 
 }  // namespace internal
 
-double nearness_weight(const Surface_ref& surface)
+double nearness_weight(const Surface_ref& surface, const internal::Surface_part& part)
 {
-  const double pi = std::acos(-1.);
-  const double alpha = 10 * mean_edge_length(surface) / (vertex_areas(surface).sum() / pi);
+  const double pi = std::acos(-1.), area = part.sum(face_areas(surface).sum());
+  const double alpha = 10 * mean_edge_length(surface, part) / (area / pi);
   return alpha * alpha;
 }
 

@@ -96,7 +96,7 @@ Block<Quaternion<double>> log_scale_gradient(const Quaternion_vector<double>& la
 /// 1/area: alpha = 10 h / R^2 with the mean edge length h and the area pi R^2.
 ///
 /// If h << alpha R^2 << R, the solution tends to the projection of 1 onto the kernel of D - rho.
-double nearness_weight(const Surface_ref& surface);
+double nearness_weight(const Surface_ref& surface, const internal::Surface_part& part = {});
 
 namespace internal {
 

@@ -263,7 +263,7 @@ void Spin_transformation::judge_boundary(const Points& f, Spin_report& report) c
     report.has_positions = true;
     report.position_error = {errors.mean(), errors.maxCoeff()};
   }
-  report.radius = domain().unit() * std::sqrt(face_areas(dirac.surface()).sum() / std::acos(-1.));
+  report.radius = domain().unit() * internal::radius_of_area(dirac.surface());
   report.limits_gamma = turns_directions() && dirac.is_self_adjoint();
   const bool is_misfit = dirac.directions() && !dirac.is_self_adjoint() && !report.is_relaxed;
   const double sigma = is_misfit ? report.eigenvalue * domain().unit() : 0;

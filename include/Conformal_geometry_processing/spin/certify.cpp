@@ -26,36 +26,43 @@ Points rotated_normals(const Mesh_view& mesh, const Quaternion_vector<double>& l
 namespace internal {
 
 void certify(const Mesh_view& measured, const Points& f, const Quaternion_vector<double>& lambda,
-             Spin_report& report)
+             Spin_report& report, const Surface_part& part)
 {
-  report.conformality = conformality(measured, f, rotated_normals(measured, lambda));
-  const auto size = components(lambda).colwise().norm();
-  report.min_spin_ratio = size.minCoeff() / size.maxCoeff();
-  report.converged = report.converged && f.allFinite();
+  report.conformality = measured_conformality(measured, f, rotated_normals(measured, lambda), part);
+  const Eigen::VectorXd size =
+      components(lambda).colwise().norm().head(part.own_vertices(lambda.size())).transpose();
+  report.min_spin_ratio = part.smallest(size) / part.largest(size);
+  report.converged = report.converged && part.sum(f.allFinite() ? 0 : 1) == 0;
 }
 
 }  // namespace internal
 
-double greatest_misfit(const Surface_ref& surface)
+double internal::radius_of_area(const Surface_ref& surface, const Surface_part& part)
 {
-  const double pi = std::acos(-1.), radius = std::sqrt(face_areas(surface).sum() / pi);
-  return (std::max)(0.05, 3 * mean_edge_length(surface) / radius) / radius;
+  return std::sqrt(part.sum(face_areas(surface).sum()) / std::acos(-1.));
+}
+
+double greatest_misfit(const Surface_ref& surface, const internal::Surface_part& part)
+{
+  const double radius = internal::radius_of_area(surface, part);
+  return (std::max)(0.05, 3 * mean_edge_length(surface, part) / radius) / radius;
 }
 
 double greatest_zero(const Surface_ref& surface)
 {
-  const double pi = std::acos(-1.), radius = std::sqrt(face_areas(surface).sum() / pi);
-  const double h = mean_edge_length(surface) / radius;
-  return (std::max)(0.05, h) / radius;
+  const double radius = internal::radius_of_area(surface);
+  return (std::max)(0.05, mean_edge_length(surface) / radius) / radius;
 }
 
 Spin_report::Boundary_fault boundary_fault(const Surface_ref& surface, double sigma,
-                                           const Spin_report& report)
+                                           const Spin_report& report,
+                                           const internal::Surface_part& part)
 {
-  const double pi = std::acos(-1.), radius = std::sqrt(face_areas(surface).sum() / pi);
-  const double h = mean_edge_length(surface) / radius, small_gap = 0.01, great_misfit = 0.15;
+  const double radius = internal::radius_of_area(surface, part), small_gap = 0.01;
+  const double h = mean_edge_length(surface, part) / radius, great_misfit = 0.15;
   const double closing = report.closure_residual;
-  if (sigma > greatest_misfit(surface) && (closing > small_gap || sigma * radius > great_misfit))
+  if (sigma > greatest_misfit(surface, part) &&
+      (closing > small_gap || sigma * radius > great_misfit))
     return Spin_report::Boundary_fault::not_realizable;
   if (!report.has_positions && closing > (std::max)(report.limits.closure, 3 * h * h))
     return Spin_report::Boundary_fault::does_not_close;

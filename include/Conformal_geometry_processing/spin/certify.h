@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
+#include <Conformal_geometry_processing/mesh/Surface_part.h>
 #include <Conformal_geometry_processing/mesh/Surface_ref.h>
 #include <Conformal_geometry_processing/spin/Spin_report.h>
 #include <Quaternionic_linear_algebra/algebra/Quaternion_vector.h>
@@ -22,15 +23,19 @@ namespace internal {
 /// converged.
 /// \param measured the surface, or its part with positive areas
 /// \param f 3 x |V| \param lambda |V|
+/// \pre squares of areas neither overflow nor underflow
 void certify(const Mesh_view& measured, const Points& f, const Quaternion_vector<double>& lambda,
-             Spin_report& report);
+             Spin_report& report, const Surface_part& part = {});
+
+/// of the disk of the same area
+double radius_of_area(const Surface_ref& surface, const Surface_part& part = {});
 
 }  // namespace internal
 
 /// \ingroup PkgSpin
 /// \brief the largest singular value of D - rho, in 1/length, that the edge length explains: if
 /// gamma is a misfit, larger values belong to no surface.
-double greatest_misfit(const Surface_ref& surface);
+double greatest_misfit(const Surface_ref& surface, const internal::Surface_part& part = {});
 
 /// \ingroup PkgSpin
 /// \brief the largest modulus of gamma, in 1/length, that the edge length explains where the exact
@@ -49,6 +54,7 @@ double greatest_zero(const Surface_ref& surface);
 /// \param sigma in 1/length; zero if it is a true eigenvalue and not a misfit
 /// \param report contains the measured quantities
 Spin_report::Boundary_fault boundary_fault(const Surface_ref& surface, double sigma,
-                                           const Spin_report& report);
+                                           const Spin_report& report,
+                                           const internal::Surface_part& part = {});
 
 }  // namespace Conformal_geometry_processing

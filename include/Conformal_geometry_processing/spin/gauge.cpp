@@ -1,8 +1,6 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/spin/gauge.h>
 
-#include <Conformal_geometry_processing/operators/mass_matrices.h>
-
 #include <Eigen/Core>
 #include <cmath>
 
@@ -30,27 +28,29 @@ void fix_gauge(Quaternion_vector<double>& lambda, const Eigen::VectorXd& areas)
 
 namespace internal {
 
-Eigen::Vector3d centroid(const Mesh_view& mesh, const Points& f, const Eigen::VectorXd& areas)
+/// the area of positions f, and their integral
+Eigen::Vector4d area_and_moment(const Mesh_view& mesh, const Points& f, const Surface_part& part)
 {
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  for (int i = 0; i < mesh.size_of_faces(); ++i)
-    for (int v : mesh.corners(i)) sum += areas[i] / 3 * f.col(v);
-  return sum / areas.sum();
+  Eigen::Vector4d sums = Eigen::Vector4d::Zero();
+  for (int i = 0; i < part.own_faces(mesh.size_of_faces()); ++i) {
+    const double area = mesh.double_area_vector(i, f).norm() / 2;
+    sums[3] += area;
+    for (int v : mesh.corners(i)) sums.head<3>() += area / 3 * f.col(v);
+  }
+  return part.sum(sums);
 }
 
 }  // namespace internal
 
-void restore_area(const Mesh_view& mesh, Points& f, Quaternion_vector<double>& lambda)
+void restore_area(const Mesh_view& mesh, Points& f, Quaternion_vector<double>& lambda,
+                  const internal::Surface_part& part)
 {
-  const Eigen::VectorXd areas = face_areas(mesh);
-  Eigen::VectorXd new_areas(areas.size());
-  for (int i = 0; i < mesh.size_of_faces(); ++i)
-    new_areas[i] = mesh.double_area_vector(i, f).norm() / 2;
-  const double scale = std::sqrt(areas.sum() / new_areas.sum());
+  const Eigen::Vector4d before = internal::area_and_moment(mesh, mesh.positions(), part),
+                        after = internal::area_and_moment(mesh, f, part);
+  const double scale = std::sqrt(before[3] / after[3]);
   f *= scale;
   components(lambda) *= std::sqrt(scale);
-  f.colwise() +=
-      internal::centroid(mesh, mesh.positions(), areas) - internal::centroid(mesh, f, new_areas);
+  f.colwise() += before.head<3>() / before[3] - scale * after.head<3>() / after[3];
 }
 
 }  // namespace Conformal_geometry_processing

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
+#include <Conformal_geometry_processing/mesh/Surface_part.h>
 #include <Quaternionic_linear_algebra/algebra/Quaternion_vector.h>
 
 #include <Eigen/Core>
@@ -17,15 +18,10 @@ namespace Conformal_geometry_processing {
 /// \param areas the weights of the mean, |V| positive numbers
 void fix_gauge(Quaternion_vector<double>& lambda, const Eigen::VectorXd& areas);
 
-namespace internal {
-
-Eigen::Vector3d centroid(const Mesh_view& mesh, const Points& f, const Eigen::VectorXd& areas);
-
-}  // namespace internal
-
 /// \ingroup PkgSpin
 /// \brief scales new positions f, and the spins that led to them, so that the area is that of the
 /// mesh, and moves the centroid to that of the mesh.
-void restore_area(const Mesh_view& mesh, Points& f, Quaternion_vector<double>& lambda);
+void restore_area(const Mesh_view& mesh, Points& f, Quaternion_vector<double>& lambda,
+                  const internal::Surface_part& part = {});
 
 }  // namespace Conformal_geometry_processing

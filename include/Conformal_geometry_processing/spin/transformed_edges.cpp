@@ -31,16 +31,18 @@ Eigen::MatrixX3d transformed_edges(const Surface_ref& surface,
 }
 
 double internal::closure_residual(const Surface_ref& surface, const Eigen::VectorXd& weights,
-                                  const Points& f, const Eigen::MatrixX3d& edges)
+                                  const Points& f, const Eigen::MatrixX3d& edges,
+                                  const Surface_part& part)
 {
-  double difference = 0, total = 0;
+  Eigen::Vector2d sums(0, 0);
   for (int k = 0; k < surface.size_of_edges(); ++k) {
+    if (!part.counts(k)) continue;
     const Eigen::Vector3d e = edges.row(k);
     const Eigen::Vector3d d = f.col(surface.ends(k)[1]) - f.col(surface.ends(k)[0]);
-    difference += std::abs(weights[k]) * (d - e).squaredNorm();
-    total += std::abs(weights[k]) * e.squaredNorm();
+    sums += std::abs(weights[k]) * Eigen::Vector2d((d - e).squaredNorm(), e.squaredNorm());
   }
-  return std::sqrt(difference / total);
+  sums = part.sum(sums);
+  return std::sqrt(sums[0] / sums[1]);
 }
 
 namespace internal {

@@ -34,7 +34,7 @@ namespace internal {
 /// \param weights w, `cotan_weights()` of the surface, |E|
 /// \param f 3 x |V| \param edges |E| x 3, not all zero
 double closure_residual(const Surface_ref& surface, const Eigen::VectorXd& weights, const Points& f,
-                        const Eigen::MatrixX3d& edges);
+                        const Eigen::MatrixX3d& edges, const Surface_part& part = {});
 
 /// \ingroup PkgSpin
 /// \brief the change of `transformed_edges()` with lambda, |E| x 3: they are quadratic in it.

@@ -109,8 +109,9 @@ class Petsc_multigrid {
 };
 
 /// \ingroup PkgLinearAlgebra
-/// \brief Conjugate gradients with the algebraic multigrid of PETSc (GAMG), distributed over the
-/// processes of `PETSC_COMM_WORLD`: for meshes whose factors exceed the memory of one machine.
+/// \brief Conjugate gradients with the algebraic multigrid of PETSc (GAMG): its matrix, grids and
+/// vectors are divided among the processes of `PETSC_COMM_WORLD`; what calls it, with the mesh, the
+/// matrix and all results, is replicated on each of them. `conformal-mpi` divides these as well.
 ///
 /// "Factorization" means the setup of the multigrid hierarchy; there is no factor. The program
 /// calls `SlepcInitialize()` before and `SlepcFinalize()` after all other functions, which are

@@ -92,8 +92,8 @@ using Petsc_pc = Petsc_handle<PC, PCDestroy>;
 using Petsc_ksp = Petsc_handle<KSP, KSPDestroy>;
 
 /// \ingroup PkgLinearAlgebra
-/// \brief A Hermitian sparse matrix as a complex PETSc matrix, distributed by rows over the
-/// processes of `PETSC_COMM_WORLD`.
+/// \brief A Hermitian sparse matrix, replicated on all processes of `PETSC_COMM_WORLD`, as a
+/// complex PETSc matrix that is distributed by rows over them.
 ///
 /// Every process passes the same vectors and the same matrix, of which it keeps a range of rows.
 /// Vertex `order[k]` has the rows width k ... width k + width - 1: one for real scalars, two for

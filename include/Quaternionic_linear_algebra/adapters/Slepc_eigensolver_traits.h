@@ -233,13 +233,14 @@ inline double norm_bound(const Hermitian_sparse_matrix<Quaternion<double>>& K)
 }  // namespace internal
 
 /// \ingroup PkgLinearAlgebra
-/// \brief Computes the smallest eigenpairs by the LOBPCG of SLEPc with algebraic multigrid, over
-/// MPI: for meshes whose factors exceed the memory of one machine. Link the component `slepc`.
+/// \brief Computes the smallest eigenpairs by the LOBPCG of SLEPc with algebraic multigrid, divided
+/// among processes; what calls it, with the mesh, the matrix and all results, is replicated on each
+/// of them. Link the component `slepc`.
 ///
 /// The program calls `SlepcInitialize()` before and `SlepcFinalize()` after (they initialize MPI).
 /// All processes of `PETSC_COMM_WORLD` call with the same arguments and get the same result.
-/// Every process holds the input matrix and the resulting vectors; SLEPc's copy of the matrix, the
-/// multigrid hierarchy and the work vectors, which are many times larger, are distributed by rows.
+/// SLEPc's copy of the matrix, the multigrid hierarchy and the work vectors, which are many times
+/// larger than what is replicated, are distributed by rows.
 /// All processes must round in the same way, as those of one program on identical machines do.
 ///
 /// The given solver is not used; for algorithms that need one use `Petsc_hermitian_solver_traits`.

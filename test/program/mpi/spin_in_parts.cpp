@@ -1,7 +1,8 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 // Tests examples/conformal/mpi/spin_in_parts.cpp examples/conformal/mpi/Distributed_spin.cpp
 // Tests examples/conformal/mpi/Distributed_mesh.cpp examples/conformal/mpi/Ply_ranges.cpp
-// Tests examples/conformal/mpi/certify_distributed.cpp examples/conformal/mpi/collective.cpp
+// Tests examples/conformal/mpi/Distributed_eigenvector.cpp examples/conformal/mpi/collective.cpp
+// Tests examples/conformal/mpi/free_boundary.cpp examples/conformal/mpi/Counted_faces.cpp
 // Tests examples/conformal/mpi/Distributed_matrix.h examples/conformal/mpi/Checkpoint.cpp
 // Tests examples/conformal/mpi/Common_file.h
 #include "conformal/input/Surface_input.h"
@@ -20,15 +21,49 @@ namespace cgp_test::spin_in_parts_tests {
 
 using namespace program_test;
 
+const std::string rho = " --rho-expression '1.5*sin(3*y+1)*cos(2*x)' --advanced tolerance=1e-9 -q ";
+
+double diagonal(const Points& p)
+{
+  return (p.rowwise().maxCoeff() - p.rowwise().minCoeff()).norm();
+}
+
 class Spin_in_parts : public Program {
  protected:
   /// on so many processes
   Program_run run_on(int processes, const std::string& arguments) const
   {
-    return shell(
-        "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 "
-        "OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_mpi_yield_when_idle=1 " CGP_MPI_RUN " " +
-        std::to_string(processes) + " " CGP_MPI_PROGRAM " spin " + arguments);
+    return shell(mpi(processes) + " " CGP_MPI_PROGRAM " spin " + arguments);
+  }
+
+  static std::string mpi(int processes)
+  {
+    return "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 "
+           "OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_mpi_yield_when_idle=1 " CGP_MPI_RUN " " +
+           std::to_string(processes);
+  }
+
+  /// whether the program on so many processes has the surface and the numbers of one.json
+  void expect_same(int processes, const std::string& arguments, double tolerance) const
+  {
+    const Program_run r = run_on(processes, "a.ply -o all.ply --json all.json" + arguments);
+    ASSERT_EQ(r.code, 0) << r.err;
+    const Points expected = mesh("one.ply").positions();
+    EXPECT_LT((mesh("all.ply").positions() - expected).colwise().norm().maxCoeff(),
+              tolerance * diagonal(expected))
+        << processes;
+    EXPECT_EQ(mesh("all.ply").corners(), mesh("one.ply").corners());
+    const auto one = json("one.json"), all = json("all.json");
+    for (const char* const name : {"eigenvalue", "overlap", "closure_residual", "min_spin_ratio"})
+      EXPECT_NEAR(all[name], one[name], 1e-7) << name;
+    for (const char* const name : {"mean", "p99", "max", "mean_over_new_area"})
+      EXPECT_NEAR(all["quasi_conformal"][name], one["quasi_conformal"][name], 1e-6) << name;
+    for (const char* const name : {"rms", "max"})
+      EXPECT_NEAR(all["length_cross_ratio"][name], one["length_cross_ratio"][name], 1e-6);
+    for (const char* const name : {"share", "correlation", "wrong_sign", "seen_share"})
+      EXPECT_NEAR(all["realised_curvature"][name], one["realised_curvature"][name], 1e-6) << name;
+    for (const char* const name : {"min", "max", "collapsed_share"})
+      EXPECT_NEAR(all["scale"][name], one["scale"][name], 1e-6) << name;
   }
 
   /// a binary PLY with one more property
@@ -73,40 +108,23 @@ class Spin_in_parts : public Program {
   nlohmann::json json(const std::string& name) const { return read_json(name)["result"]; }
 };
 
-const std::string rho = " --rho-expression '1.5*sin(3*y+1)*cos(2*x)' --advanced tolerance=1e-9 -q ";
-
-double diagonal(const Points& p)
-{
-  return (p.rowwise().maxCoeff() - p.rowwise().minCoeff()).norm();
-}
-
 TEST_F(Spin_in_parts, gives_the_surface_of_one_process_without_a_bound)
 {
   for (const Mesh_view& surface : {perturbed(bumpy_sphere(3), .02), dumbbell(3)}) {
     write_ply("a.ply", surface);
     ASSERT_EQ(run("spin a.ply -o one.ply --json one.json --max-scale none" + rho).code, 0);
-    const auto one = json("one.json");
-    const Points expected = mesh("one.ply").positions();
-    for (const int processes : {1, 2, 3}) {
-      const Program_run r = run_on(processes, "a.ply -o all.ply --json all.json" + rho);
-      ASSERT_EQ(r.code, 0) << r.err;
-      EXPECT_LT((mesh("all.ply").positions() - expected).colwise().norm().maxCoeff(),
-                1e-8 * diagonal(expected))
-          << processes;
-      EXPECT_EQ(mesh("all.ply").corners(), mesh("one.ply").corners());
-      const auto all = json("all.json");
-      for (const char* const name : {"eigenvalue", "closure_residual", "min_spin_ratio"})
-        EXPECT_NEAR(all[name], one[name], 1e-7) << name;
-      for (const char* const name : {"mean", "p99", "max", "mean_over_new_area"})
-        EXPECT_NEAR(all["quasi_conformal"][name], one["quasi_conformal"][name], 1e-6) << name;
-      for (const char* const name : {"rms", "max"})
-        EXPECT_NEAR(all["length_cross_ratio"][name], one["length_cross_ratio"][name], 1e-6);
-      for (const char* const name : {"share", "correlation", "wrong_sign", "seen_share"})
-        EXPECT_NEAR(all["realised_curvature"][name], one["realised_curvature"][name], 1e-6) << name;
-      for (const char* const name : {"min", "max", "collapsed_share"})
-        EXPECT_NEAR(all["scale"][name], one["scale"][name], 1e-6) << name;
-    }
+    for (const int processes : {1, 2, 3}) expect_same(processes, rho, 1e-8);
   }
+}
+
+TEST_F(Spin_in_parts, gives_the_disk_of_one_process)
+{
+  const Mesh_view flat = disk(12);
+  Points p = flat.positions();
+  for (Eigen::Index v = 0; v < p.cols(); ++v) p(2, v) = .4 * std::sin(2 * p(0, v) + p(1, v));
+  write_ply("a.ply", perturbed({p, flat.corners()}, .01));
+  ASSERT_EQ(run("spin a.ply -o one.ply --json one.json --max-scale none" + rho).code, 0);
+  for (const int processes : {1, 2, 3, 4, 7}) expect_same(processes, rho, 1e-8);
 }
 
 // It shifts the eigenvalue, which the first prediction has to know.
@@ -161,8 +179,8 @@ TEST_F(Spin_in_parts, refuses_what_it_cannot_divide)
     const Program_run r = run_on(2, "a.ply -o b.ply" + rho);
     return fails(r, 4, words);
   };
-  EXPECT_TRUE(is_refused(disk(6), "only closed surfaces can be divided yet"));
-  EXPECT_TRUE(is_refused(btorus(12), "1 handles"));
+  EXPECT_TRUE(is_refused(btorus(12), "handles or holes"));
+  EXPECT_TRUE(is_refused(annulus(.5, 1, 24, 5), "handles or holes"));
   const Mesh_view sphere = icosphere(2);
   Points two(3, 2 * sphere.size_of_vertices());
   two << sphere.positions(), sphere.positions().colwise() + Eigen::Vector3d(5, 0, 0);
@@ -199,6 +217,38 @@ TEST_F(Spin_in_parts, is_resumed_where_it_was_ended)
             1e-8 * diagonal(expected));
   EXPECT_FALSE(has("b.ply.checkpoint"));
   EXPECT_TRUE(fails(run_on(2, part + "--resume"), 3, "no checkpoint"));
+}
+
+// As where a machine is lost or has no memory left: the others must not wait for ever.
+TEST_F(Spin_in_parts, ends_where_a_process_is_killed_and_can_be_resumed)
+{
+  write_ply("a.ply", dumbbell(2));
+  const std::string arguments = "a.ply --json all.json" + rho;
+  ASSERT_EQ(run_on(3, arguments + "-o all.ply").code, 0);
+  const int iterations = json("all.json")["iterations"];
+  for (const char* const killed : {"0", "2"}) {
+    const Program_run r = shell(mpi(3) + " sh -c 'echo $$ >process.$OMPI_COMM_WORLD_RANK; exec " +
+                                CGP_MPI_PROGRAM + " spin \"$@\"' sh " + arguments +
+                                "-o b.ply --advanced checkpoint=0 & all=$!; "
+                                "until [ -e b.ply.checkpoint ]; do kill -0 $all || exit 99; done; "
+                                "kill -9 $(cat process." +
+                                killed + "); wait $all");
+    EXPECT_NE(r.code, 0);
+    EXPECT_NE(r.code, 99) << "too fast to be killed";
+    EXPECT_NE(r.err, "");
+    EXPECT_EQ(shell("for i in $(seq 600); do kill -0 $(cat process.1) || exit 0; sleep .1; done; "
+                    "exit 1")
+                  .code,
+              0);  // the others have ended, too
+    EXPECT_FALSE(has("b.ply"));
+    EXPECT_FALSE(has("b.ply.part"));
+    ASSERT_EQ(run_on(3, "a.ply --json b.json --resume -o b.ply" + rho).code, 0);
+    EXPECT_LT(int(json("b.json")["iterations"]), iterations);
+    const Points expected = mesh("all.ply").positions();
+    EXPECT_LT((mesh("b.ply").positions() - expected).colwise().norm().maxCoeff(),
+              1e-8 * diagonal(expected));
+    EXPECT_EQ(shell("rm b.ply").code, 0);
+  }
 }
 
 TEST_F(Spin_in_parts, writes_what_does_not_verify_only_by_force)
