@@ -19,7 +19,9 @@ CALLS = re.compile(r"^\| depth \| function \| file \|.*\n\|[-:| ]*\n((?:\|.*\n)+
 # Of a recipe: where an existing example is named, by which words, and what is NAME in the names of files.
 RECIPES = {
     "A boundary condition": (("include", "examples"),
-                             r"\bKind::(free|positions|directions)|Boundary_condition::positions", "positions"),
+                             r"\bKind::(free|positions|directions)|Boundary_condition::positions"
+                             r"|\b(boundary|condition)\.targets|system(\(\))?\.(directions|positions)\(\)",
+                             "positions"),
     "A linear solver": (("include", "examples", "doc", "benchmark"), "Eigen_hermitian_solver_traits", "Eigen"),
     "A rule of the verdict": (("include", "examples"),
                               r"Fault::collapsed|limits\.collapsed|\"(?:--)?collapsed_share", None),
