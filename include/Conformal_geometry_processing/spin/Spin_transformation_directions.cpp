@@ -13,6 +13,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// a vector of the kernel
 struct Kernel_vector {
   Eigen::Index column;
@@ -20,8 +22,8 @@ struct Kernel_vector {
   double overlap;  // with the guide
 };
 
-inline internal::Closing_start chosen(std::vector<Kernel_vector> found,
-                                      const Block<Quaternion<double>>& kernel)
+inline Closing_start chosen(std::vector<Kernel_vector> found,
+                            const Block<Quaternion<double>>& kernel)
 {
   const double clearly = 2;  // larger
   if (found.size() < 2) return {};
@@ -30,11 +32,13 @@ inline internal::Closing_start chosen(std::vector<Kernel_vector> found,
   const bool is_guided = std::all_of(found.begin(), found.end(), [&](const Kernel_vector& other) {
     return other.overlap <= found.front().overlap;
   });
-  internal::Closing_start start;
+  Closing_start start;
   start.is_ambiguous = found[1].change < clearly * found[0].change;
   if (!is_guided) start.lambda = kernel.col(found.front().column);
   return start;
 }
+
+}  // namespace internal
 
 Block<Quaternion<double>> Spin_transformation::kernel(const Curvature_potential& rho,
                                                       const internal::Go_further& go_further)
@@ -56,14 +60,14 @@ internal::Closing_start Spin_transformation::closing_start(const Eigen::VectorXd
   const Block<Quaternion<double>> vectors = kernel(Curvature_potential::on_vertices(rho), guarded);
   const internal::Scale_control unbounded;
   internal::Relaxed_surface search(*this, rho, unbounded, internal::Closing_start::few_steps());
-  std::vector<Kernel_vector> found;
+  std::vector<internal::Kernel_vector> found;
   for (Eigen::Index c = 0; c < vectors.cols(); ++c) {
     search.begin_at(vectors.col(c), rho, guarded);
     found.push_back({c, search.scales.spins().terms().potential,
                      system().overlap(vectors.col(c), system().directions()->guide())});
   }
   internal::add_costs(m_unreported, in_units(search.scales.solution()).report);
-  return chosen(std::move(found), vectors);
+  return internal::chosen(std::move(found), vectors);
 }
 
 }  // namespace Conformal_geometry_processing
