@@ -192,7 +192,7 @@ Misfit_sizes misfit_sizes(const Dirac_misfit::Geometry& geometry, const Eigen::V
     weights.sheets = sheets;
     weights.vertices = vertices;
     const Dirac_misfit misfit(geometry, weights, rho, lambda);
-    return std::sqrt(misfit.squared_norm(misfit.residual()) / geometry.areas.sum());
+    return std::sqrt(misfit.squared_norm(misfit.residual().misfit) / geometry.areas.sum());
   };
   return {size(1, 0), size(0, 1)};
 }

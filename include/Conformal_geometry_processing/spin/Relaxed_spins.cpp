@@ -150,7 +150,7 @@ Dirac_misfit Relaxed_spins::misfit(const Spins& lambda, const Eigen::VectorXd& r
   return {m_geometry, m_weights, rho, lambda};
 }
 
-const Dirac_misfit& Relaxed_spins::here()
+const Dirac_misfit& Relaxed_spins::here() const
 {
   if (!m_here) m_here.emplace(misfit(m_lambda, m_rho));
   return *m_here;

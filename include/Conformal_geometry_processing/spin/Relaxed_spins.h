@@ -148,7 +148,7 @@ class Relaxed_spins {
   void restart(const Spins& lambda, const Eigen::VectorXd& rho);
 
   /// the terms here
-  Terms terms() { return terms_of(here()); }
+  Terms terms() const { return terms_of(here()); }
 
   /// \brief half the gradient of the sum of the terms, with respect to lambda and rho'.
   Step gradient();
@@ -178,7 +178,7 @@ class Relaxed_spins {
 
  private:
   Dirac_misfit misfit(const Spins& lambda, const Eigen::VectorXd& rho) const;
-  const Dirac_misfit& here();
+  const Dirac_misfit& here() const;
   Terms terms_of(const Dirac_misfit& there) const;
   Eigen::VectorXd metric_product(const Eigen::VectorXd& d) const;
   void couple();
@@ -200,9 +200,9 @@ class Relaxed_spins {
   Eigen::VectorXd m_wanted;
   Spins m_lambda;
   Eigen::VectorXd m_rho;
-  std::optional<Dirac_misfit> m_here;  // at lambda and rho', if it is known
-  Eigen::VectorXd m_constants;         // H^-1 of the areas, where constants are free
-  int m_iterations = 0;                // of the last step
+  mutable std::optional<Dirac_misfit> m_here;  // at lambda and rho', if it is known
+  Eigen::VectorXd m_constants;                 // H^-1 of the areas, where constants are free
+  int m_iterations = 0;                        // of the last step
   Relaxed_costs m_costs;
 };
 
