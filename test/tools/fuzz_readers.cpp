@@ -6,6 +6,7 @@
 // every format, and read again from PLY. The exit code is 1 if any mutant crashed or hung; such
 // mutants are kept as fuzz_SEED_NUMBER.EXTENSION. See doc/fuzzing.md.
 
+#include "fuzz_json_mutations.h"
 #include "fuzz_readers_mutations.h"
 #include "fuzz_readers_seeds.h"
 #include "fuzz_reading.h"
@@ -33,6 +34,27 @@ fuzz::Subject subject(const std::string& extension, const Seeds& seeds, std::uin
           [](unsigned long) { return "read"; }};
 }
 
+fuzz::Subject subject_of_json(const Seeds& seeds, std::uint64_t seed)
+{
+  fuzz::Subject s = subject(".glb", seeds, seed);
+  s.name = "`.glb`, its JSON";
+  s.mutant = [=](unsigned long number) {
+    fuzz::Mutator mutator(seed * 1000003 + number);
+    return fuzz::mutant_of_glb(seeds[mutator.below(seeds.size())], mutator);
+  };
+  return s;
+}
+
+fuzz::Subject subject_of_curves(const std::string& extension, const Seeds& seeds,
+                                std::uint64_t seed)
+{
+  fuzz::Subject s = subject(extension, seeds, seed);
+  s.run = [=](unsigned long, const std::string& text) -> std::size_t {
+    return fuzz::are_curves_read(text, extension) ? 0 : 1;
+  };
+  return s;
+}
+
 }  // namespace
 
 int main(int argc, char** argv)
@@ -44,5 +66,8 @@ int main(int argc, char** argv)
   trials.make(subject(".ply", fuzz::ply_seeds(), request.seed));
   trials.make(subject(".stl", fuzz::stl_seeds(), request.seed));
   trials.make(subject(".glb", fuzz::glb_seeds(), request.seed));
+  trials.make(subject_of_json(fuzz::glb_seeds(), request.seed));
+  trials.make(subject_of_curves(".svg", fuzz::svg_seeds(), request.seed));
+  trials.make(subject_of_curves(".csv", fuzz::curve_seeds(), request.seed));
   return trials.is_clean() ? 0 : 1;
 }

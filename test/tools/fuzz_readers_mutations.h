@@ -60,6 +60,16 @@ class Mutator {
     text.insert(below(text.size() + 1), text.substr(begin, size));
   }
 
+  // In text, brackets and elements inside of one another
+  void repeat_range(std::string& text)
+  {
+    const std::string range = text.substr(below(text.size()), 1 + below(12));
+    const std::size_t begin = below(text.size() + 1);
+    std::string all;
+    for (std::size_t times = std::size_t(1) << below(14); times > 0; --times) all += range;
+    text.insert(begin, all);
+  }
+
   void overwrite_number(std::string& text)
   {
     constexpr std::array<std::uint32_t, 8> numbers = {0xffffffffu, 0x7fffffffu, 0x80000000u, 0u,
@@ -90,6 +100,9 @@ class Mutator {
         break;
       case 5:
         overwrite_number(text);
+        break;
+      case 6:
+        repeat_range(text);
         break;
       default:
         replace_word(text);

@@ -233,4 +233,24 @@ inline std::vector<std::string> glb_seeds()
           glb_buffer(true))};
 }
 
+inline std::vector<std::string> svg_seeds()
+{
+  return {
+      "<?xml version=\"1.0\"?>\n<!-- curves -->\n<svg viewBox=\"0 0 9 9\">\n<g "
+      "transform=\"translate(1 "
+      "2) rotate(30, 1, 1) scale(2)\"><path id=\"a\" d=\"M0,0 L1 0 1,1z m 3 3 h1 v1 H2 V0 Z\"/>\n"
+      "<polygon points=\"0,0 1,0 1 1\"/></g>\n<defs><path d=\"M0 0L1 1\"/></defs>\n<circle "
+      "r=\"1\"/>"
+      "</svg>\n",
+      "<svg><path transform='matrix(1 0 0 1 0 0) skewX(5)' d='M 0 0 C 1 0 1 1 0 1 S -1 2 0 3 q 1 1 "
+      "2 "
+      "0 t 2 0 A 1 2 30 1 0 5 5 a1 1 0 01-1-1'/><polyline points='0 0,1e1-1.5.5,2'/><![CDATA[<g>]]>"
+      "<text>&lt;&#65;</text></svg>"};
+}
+
+inline std::vector<std::string> curve_seeds()
+{
+  return {"x,y\n0,0\n1,0\n1,1\n0,1\n\n3 3\n4 3\n4 4\n", "# a curve\n0;0\n1e-3;2\n-1;+2\n0;0\n"};
+}
+
 }  // namespace fuzz

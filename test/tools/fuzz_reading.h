@@ -1,6 +1,7 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #pragma once
 
+#include "conformal/io/csv/read_curve_rows.h"
 #include "conformal/io/file/io_errors.h"
 #include "conformal/io/glb/read_glb.h"
 #include "conformal/io/glb/write_glb.h"
@@ -12,6 +13,7 @@
 #include "conformal/io/ply/write_ply.h"
 #include "conformal/io/read_surface.h"
 #include "conformal/io/stl/read_stl.h"
+#include "conformal/io/svg/read_svg.h"
 #include "fuzz_trials.h"
 
 #include <cmath>
@@ -61,6 +63,25 @@ inline conformal::Surface_file parsed(const std::string& text, const std::string
   if (extension == ".ply") return conformal::parse_ply(text, "a.ply");
   if (extension == ".glb") return conformal::parse_glb(text, "a.glb");
   return conformal::parse_stl(text, "a.stl");
+}
+
+inline void require_sound(const std::vector<conformal::Plane_curve>& curves)
+{
+  for (const conformal::Plane_curve& curve : curves)
+    require(curve.points.allFinite(), "a point of a curve is not finite");
+}
+
+/// whether a file with curves is read, or else refused
+inline bool are_curves_read(const std::string& text, const std::string& extension)
+{
+  std::vector<std::string> notes;
+  try {
+    require_sound(extension == ".svg" ? conformal::parse_svg(text, "a.svg", {}, notes)
+                                      : conformal::parse_curve_rows(text, "a.csv"));
+    return true;
+  } catch (const conformal::Read_error&) {
+    return false;
+  }
 }
 
 /// whether the file is read, or else refused; its format is shown by the content or the extension

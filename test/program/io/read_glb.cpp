@@ -292,6 +292,22 @@ TEST(Read_glb, refuses_what_is_damaged_and_names_it)
 }
 
 /// 64 nodes, of which each is twice below the one before: 2^63 ways to the last one
+// JSON has one kind of number. Conversions beyond the range of integers are undefined.
+TEST(Read_glb, reads_whole_numbers_in_any_notation_and_refuses_others_where_they_are_wanted)
+{
+  const auto with = [](const std::string& before, const std::string& after) {
+    std::string json = triangle;
+    return glb(json.replace(json.find(before), before.size(), after), three_points());
+  };
+  EXPECT_EQ(parse_glb(with("\"count\":3", "\"count\":3.0"), "a.glb").points.size(), 3);
+  for (const std::string place : {"\"count\":3", "\"componentType\":5126", "\"bufferView\":0",
+                                  "\"POSITION\":0", "\"nodes\":[0", "\"scene\":0", "\"mesh\":0"})
+    for (const std::string number : {"1e300", "-1e300", "-0.5", "2.5", "-1", "null", "\"0\""}) {
+      const std::string wrong = place.substr(0, place.find_last_of(":[") + 1) + number;
+      EXPECT_THROW(parse_glb(with(place, wrong), "a.glb"), Read_error) << wrong;
+    }
+}
+
 TEST(Read_glb, refuses_nodes_below_two_others_at_once)
 {
   std::string nodes = "\"nodes\":[";

@@ -9,6 +9,7 @@
 #include "conformal/io/file/read_bytes.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <map>
@@ -42,9 +43,9 @@ Glb_numbers numbers()
 }
 
 // null where the type is unknown
-const Glb_numbers* find_numbers(int type)
+const Glb_numbers* find_numbers(std::size_t type)
 {
-  static const std::map<int, Glb_numbers> all = {
+  static const std::map<std::size_t, Glb_numbers> all = {
       {5120, numbers<std::int8_t>()},   {5121, numbers<std::uint8_t>()},
       {5122, numbers<std::int16_t>()},  {5123, numbers<std::uint16_t>()},
       {5125, numbers<std::uint32_t>()}, {5126, numbers<float>()}};
@@ -78,6 +79,20 @@ std::string beside(const std::string& path, const std::string& name)
 }
 
 }  // namespace
+
+// Conversion to an integer by the library is undefined for what exceeds its range.
+std::size_t whole_number(const Json& value)
+{
+  const double most = 1e15;  // has a bit for 1
+  const double x = value.is_number_float() ? value.get<double>() : -1;
+  if (x >= 0 && x <= most && x == std::floor(x)) return static_cast<std::size_t>(x);
+  return value.get_ref<const Json::number_unsigned_t&>();
+}
+
+std::size_t whole_number(const Json& object, const char* key, std::size_t otherwise)
+{
+  return object.contains(key) ? whole_number(object.at(key)) : otherwise;
+}
 
 void Glb_content::fail(const std::string& message) const
 {
@@ -169,9 +184,9 @@ std::string_view Glb_content::buffer(std::size_t index) const
 std::string_view Glb_content::view(std::size_t index) const
 {
   const Json& view = item("bufferViews", index);
-  const std::size_t begin = view.value("byteOffset", std::size_t{0});
-  const std::size_t size = view.at("byteLength").get<std::size_t>();
-  const std::string_view bytes = buffer(view.at("buffer").get<std::size_t>());
+  const std::size_t begin = whole_number(view, "byteOffset", 0);
+  const std::size_t size = whole_number(view.at("byteLength"));
+  const std::string_view bytes = buffer(whole_number(view.at("buffer")));
   if (begin > bytes.size() || size > bytes.size() - begin)
     fail("is not a whole GLB file: " + m_item + " ends before bufferViews[" +
          std::to_string(index) + ']');
@@ -181,11 +196,11 @@ std::string_view Glb_content::view(std::size_t index) const
 Glb_content::Rows Glb_content::rows(const Json& place, const Glb_numbers& numbers,
                                     std::size_t count) const
 {
-  const std::size_t index = place.at("bufferView").get<std::size_t>();
+  const std::size_t index = whole_number(place.at("bufferView"));
   const std::string_view bytes = view(index);
-  const std::size_t begin = place.value("byteOffset", std::size_t{0});
+  const std::size_t begin = whole_number(place, "byteOffset", 0);
   const std::size_t size = numbers.width * numbers.size;
-  const std::size_t stride = item("bufferViews", index).value("byteStride", size);
+  const std::size_t stride = whole_number(item("bufferViews", index), "byteStride", size);
   const bool fits = stride > 0 && count <= bytes.size() / stride + 1 && begin <= bytes.size() &&
                     (count == 0 || stride * (count - 1) + size <= bytes.size() - begin);
   if (!fits) fail(m_item + " is too short for " + std::to_string(count) + " rows");
@@ -199,7 +214,7 @@ Glb_content::Rows Glb_content::rows(const Json& place, const Glb_numbers& number
 
 void Glb_content::replace_rows(Rows& rows, const Json& sparse, const Glb_numbers& numbers) const
 {
-  const std::size_t count = sparse.at("count").get<std::size_t>();
+  const std::size_t count = whole_number(sparse.at("count"));
   const Json& indices = sparse.at("indices");
   const Rows places = this->rows(indices, numbers_of(indices), count);
   const Rows values = this->rows(sparse.at("values"), numbers, count);
@@ -211,7 +226,7 @@ void Glb_content::replace_rows(Rows& rows, const Json& sparse, const Glb_numbers
 
 Glb_numbers Glb_content::numbers_of(const Json& table) const
 {
-  const Glb_numbers* const found = find_numbers(table.at("componentType").get<int>());
+  const Glb_numbers* const found = find_numbers(whole_number(table.at("componentType")));
   const std::size_t width = width_of(table.value("type", std::string("SCALAR")));
   if (found == nullptr || width == 0) fail(m_item + " is of an unknown type");
   return {found->size, found->read, width, table.value("normalized", false)};
@@ -221,7 +236,7 @@ Glb_content::Rows Glb_content::rows(std::size_t accessor) const
 {
   const Json& table = item("accessors", accessor);
   const Glb_numbers numbers = numbers_of(table);
-  const std::size_t count = table.at("count").get<std::size_t>();
+  const std::size_t count = whole_number(table.at("count"));
   if (count > m_size)  // only zeros need no bytes
     fail(m_item + " has " + std::to_string(count) +
          " rows, wanted no more than the file has bytes");

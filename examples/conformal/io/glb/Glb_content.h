@@ -13,6 +13,13 @@ namespace conformal {
 
 struct Glb_numbers;
 
+/// A number of things, or that of one in a list.
+/// \throw nlohmann::json::exception if it is none
+std::size_t whole_number(const nlohmann::json& value);
+
+/// likewise, of an object that may not have it
+std::size_t whole_number(const nlohmann::json& object, const char* key, std::size_t otherwise);
+
 /// \brief The description (JSON) of a GLB or glTF file, and the tables of numbers in its buffers.
 ///
 /// Reading the description throws `nlohmann::json::exception` where it is not as it should be:

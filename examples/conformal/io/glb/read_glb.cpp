@@ -41,19 +41,19 @@ Eigen::Affine3d placement(const Json& node)
   return place;
 }
 
-enum Mode { triangle_list = 4, triangle_strip = 5, triangle_fan = 6 };
+enum Mode : std::size_t { triangle_list = 4, triangle_strip = 5, triangle_fan = 6 };
 
 using Triangle = std::array<std::size_t, 3>;
 
 // Number t of the triangles of a primitive, counter-clockwise, as places among its indices
-Triangle triangle_of(int mode, std::size_t t)
+Triangle triangle_of(std::size_t mode, std::size_t t)
 {
   if (mode == triangle_strip) return {t, t + 1 + t % 2, t + 2 - t % 2};
   if (mode == triangle_fan) return {0, t + 1, t + 2};
   return {3 * t, 3 * t + 1, 3 * t + 2};
 }
 
-std::size_t triangles_of(int mode, std::size_t indices)
+std::size_t triangles_of(std::size_t mode, std::size_t indices)
 {
   return mode == triangle_list ? indices / 3 : std::max<std::size_t>(indices, 2) - 2;
 }
@@ -113,11 +113,11 @@ class Glb_reader {
     std::vector<std::pair<std::size_t, Eigen::Affine3d>> left;  // the next one is the last
     const auto append = [&left](const Json& parent, const char* list,
                                 const Eigen::Affine3d& place) {
-      const auto nodes = parent.value(list, std::vector<std::size_t>());
-      for (auto node = nodes.rbegin(); node != nodes.rend(); ++node)
-        left.emplace_back(*node, place);
+      const Json nodes = parent.value(list, Json::array());
+      for (std::size_t i = nodes.size(); i > 0; --i)
+        left.emplace_back(whole_number(nodes.at(i - 1)), place);
     };
-    const std::size_t scene = m_content.json().value("scene", std::size_t{0});
+    const std::size_t scene = whole_number(m_content.json(), "scene", 0);
     append(m_content.item("scenes", scene), "nodes", Eigen::Affine3d::Identity());
     while (!left.empty()) {
       const auto [index, parent] = left.back();
@@ -140,7 +140,7 @@ class Glb_reader {
                      {"name", "children", "matrix", "translation", "rotation", "scale", "mesh"});
     if (!node.contains("mesh")) return;
     begin_group("g", node);
-    read_mesh(node["mesh"].get<std::size_t>(), place);
+    read_mesh(whole_number(node["mesh"]), place);
   }
 
   void read_mesh(std::size_t index, const Eigen::Affine3d& place)
@@ -187,7 +187,7 @@ class Glb_reader {
       if (extension != "KHR_mesh_quantization")
         m_left_out.add("the extension " + extension.get<std::string>(), m_where);
     for (std::size_t i = 0; i < size_of("scenes"); ++i)
-      if (i != json.value("scene", std::size_t{0}))
+      if (i != whole_number(json, "scene", 0))
         m_left_out.add("further scenes", "scenes[" + std::to_string(i) + ']');
     for (std::size_t i = 0; i < size_of("meshes"); ++i)
       if (m_read_meshes.count(i) == 0)
@@ -196,13 +196,13 @@ class Glb_reader {
 
   void read_primitive(const Json& primitive, const Eigen::Affine3d& place)
   {
-    const int mode = primitive.value("mode", int{triangle_list});
+    const std::size_t mode = whole_number(primitive, "mode", triangle_list);
     if (mode < triangle_list || mode > triangle_fan) {
       m_left_out.add("points and lines", m_where);
       return;
     }
     leave_out_others(primitive, {"attributes", "indices", "material", "mode"});
-    if (primitive.contains("material")) begin_material(primitive["material"].get<std::size_t>());
+    if (primitive.contains("material")) begin_material(whole_number(primitive["material"]));
     const Json& attributes = primitive.at("attributes");
     const Rows points = rows(attributes, "POSITION");
     const std::vector<std::int64_t> vertices = vertices_at(points, place);
@@ -222,7 +222,7 @@ class Glb_reader {
   // none if there is no such attribute
   Rows rows(const Json& attributes, const char* name) const
   {
-    return attributes.contains(name) ? m_content.rows(attributes[name].get<std::size_t>()) : Rows();
+    return attributes.contains(name) ? m_content.rows(whole_number(attributes[name])) : Rows();
   }
 
   // In the order of their tables, since that of JSON is none.
@@ -231,7 +231,7 @@ class Glb_reader {
     std::vector<std::pair<std::size_t, std::string>> all;
     for (const auto& [name, accessor] : attributes.items())
       if (name != "POSITION" && name != "NORMAL" && name != "TEXCOORD_0")
-        all.emplace_back(accessor.get<std::size_t>(), name);
+        all.emplace_back(whole_number(accessor), name);
     std::sort(all.begin(), all.end());
     for (const auto& [accessor, name] : all)
       if (name == "COLOR_0")
@@ -287,7 +287,7 @@ class Glb_reader {
   {
     std::vector<std::size_t> all;
     if (primitive.contains("indices")) {
-      for (const auto& row : m_content.rows(primitive["indices"].get<std::size_t>())) {
+      for (const auto& row : m_content.rows(whole_number(primitive["indices"]))) {
         if (!(row[0] >= 0 && row[0] < static_cast<double>(size))) refuse_index(row[0], size);
         all.push_back(static_cast<std::size_t>(row[0]));
       }

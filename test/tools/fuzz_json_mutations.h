@@ -1,0 +1,82 @@
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
+
+#include "fuzz_readers_mutations.h"
+#include "fuzz_readers_seeds.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+// Damages what a JSON document says, not how it is written: values that are missing, of another
+// kind, of another place, or too many. Bytes at random hardly ever get beyond the parser.
+
+namespace fuzz {
+
+using Json = nlohmann::json;
+
+/// a value inside of a document that is no scalar, at any depth: its parent and key
+inline Json& random_container(Json& document, Mutator& mutator)
+{
+  Json* at = &document;
+  for (std::size_t depth = mutator.below(8); depth > 0; --depth) {
+    std::vector<Json*> inner;
+    for (Json& value : *at)
+      if (value.is_structured() && !value.empty()) inner.push_back(&value);
+    if (inner.empty()) break;
+    at = inner[mutator.below(inner.size())];
+  }
+  return *at;
+}
+
+inline Json::iterator random_value(Json& container, Mutator& mutator)
+{
+  auto at = container.begin();
+  for (std::size_t i = mutator.below(container.size()); i > 0; --i) ++at;
+  return at;
+}
+
+inline Json odd_value(Mutator& mutator)
+{
+  const std::vector<Json> values = {nullptr,       true,           0,           -1,        1.5,
+                                    1e300,         4294967295u,    2147483648u, "",        "a",
+                                    Json::array(), Json::object(), {0, 0, 0},   {{"a", 1}}};
+  return values[mutator.below(values.size())];
+}
+
+inline void mutate(Json& document, Mutator& mutator)
+{
+  Json& container = random_container(document, mutator);
+  if (!container.is_structured() || container.empty()) return;
+  const auto at = random_value(container, mutator);
+  switch (mutator.below(4)) {
+    case 0:
+      container.erase(at);
+      break;
+    case 1:
+      *at = odd_value(mutator);
+      break;
+    case 2:
+      *at = Json(*random_value(random_container(document, mutator), mutator));
+      break;
+    default:
+      if (container.is_array()) container.push_back(Json(*at));
+      break;
+  }
+}
+
+/// a GLB file whose JSON has a few faults, and the lengths of its chunks none
+inline std::string mutant_of_glb(const std::string& file, Mutator& mutator)
+{
+  const std::size_t begin = 20, size = static_cast<unsigned char>(file[12]) +
+                                       256u * static_cast<unsigned char>(file[13]);
+  Json document = Json::parse(file.substr(begin, size));
+  for (std::size_t faults = 1 + mutator.below(3); faults > 0 && !document.empty(); --faults)
+    mutate(document, mutator);
+  return glb(document.dump(), file.substr((std::min)(file.size(), begin + size + 8)));
+}
+
+}  // namespace fuzz
