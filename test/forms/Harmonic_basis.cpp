@@ -196,14 +196,6 @@ TEST(Harmonic_basis, does_not_change_with_the_scale_of_the_mesh)
   EXPECT_EQ(1024 * other.fields[1], basis.fields[1]);
 }
 
-TEST(Harmonic_basis, gives_the_coefficients_of_combinations)
-{
-  const Mesh_view mesh = smooth_handlebody(2, 1);
-  const CGP::Harmonic_basis basis = harmonic_basis_of(mesh);
-  const Eigen::MatrixXd c = random_numbers(8, 5).reshaped(4, 2);
-  EXPECT_LT(greatest(basis.coefficients(CGP::cotan_weights(mesh), basis.one_forms * c) - c), 1e-13);
-}
-
 TEST(Harmonic_basis, refuses_generators_that_are_not_independent)
 {
   const Mesh_view mesh = btorus(12);

@@ -43,8 +43,7 @@ struct Holed {
     options.tolerance = 1e-11;
     const CGP::internal::Dirac_solution s = CGP::solve_dirac_equation(system, {on, rho}, options);
     EXPECT_TRUE(s.converged);
-    return hodge.harmonic_basis().coefficients(hodge.weights(),
-                                               CGP::transformed_edges(mesh, s.lambda));
+    return hodge.harmonic_part().coefficients(CGP::transformed_edges(mesh, s.lambda));
   }
 };
 

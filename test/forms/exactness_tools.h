@@ -78,7 +78,7 @@ struct Exactness_case {
   {
     const Eigen::MatrixXd edges = edges_for(on, rho);
     const double squared = edges.cwiseProduct(hodge.weights().asDiagonal() * edges).sum();
-    return hodge.harmonic_basis().coefficients(hodge.weights(), edges).norm() / std::sqrt(squared);
+    return hodge.harmonic_part().coefficients(edges).norm() / std::sqrt(squared);
   }
 
   std::vector<double> harmonic_shares(On on, std::optional<CGP::Exactness> version,

@@ -244,8 +244,8 @@ TEST(Mollified_spin_transformation, measures_its_time_and_takes_generators_along
 {
   const Mesh_view mesh = torus(1, .4, 12, 8);
   Transformation transformation(mesh, mollified());
-  const Eigen::MatrixXd& forms =
-      transformation.exactness(Curvature_potential::On::vertices).forms.one_forms;
+  const Eigen::MatrixXd forms =
+      transformation.exactness(Curvature_potential::On::vertices).forms->one_forms();
   EXPECT_EQ(forms.rows(), transformation.domain().surface().size_of_edges());
   EXPECT_EQ(forms.cols(), 2);
   const auto seconds = transformation.transform(rho_of(mesh)).report.seconds;

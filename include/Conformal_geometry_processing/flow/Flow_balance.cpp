@@ -21,8 +21,8 @@ Eigen::VectorXd target_areas(const Flow_options& options, Spin_transformation& t
   const Surface_ref surface = transformation.system().surface();
   if (options.balance == Flow_options::Balance::initial) return vertex_areas(surface);
   const auto& exactness = transformation.exactness(Curvature_potential::On::vertices);
-  return canonical_vertex_areas(
-      surface, canonical_area_density(surface, exactness.forms.one_forms, function));
+  const Eigen::MatrixXd forms = exactness.forms ? exactness.forms->one_forms() : Eigen::MatrixXd();
+  return canonical_vertex_areas(surface, canonical_area_density(surface, forms, function));
 }
 
 }  // namespace internal

@@ -13,35 +13,20 @@
 
 namespace Conformal_geometry_processing {
 
-Eigen::MatrixXd Harmonic_basis::coefficients(const Eigen::VectorXd& w,
-                                             const Eigen::MatrixXd& alpha) const
-{
-  const Eigen::MatrixXd weighted = w.asDiagonal() * alpha;
-  Eigen::MatrixXd products(size(), alpha.cols());
-  for (Eigen::Index i = 0; i < products.rows(); ++i)  // each form is read once
-    for (Eigen::Index k = 0; k < alpha.cols(); ++k)
-      products(i, k) = one_forms.col(i).dot(weighted.col(k));
-  return products;
-}
-
-Eigen::MatrixXd Harmonic_basis::combinations(const Eigen::MatrixXd& c) const
-{
-  Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(one_forms.rows(), c.cols());
-  for (Eigen::Index i = 0; i < c.rows(); ++i)
-    for (Eigen::Index k = 0; k < c.cols(); ++k) sums.col(k) += c(i, k) * one_forms.col(i);
-  return sums;
-}
-
 namespace internal {
 
-void remove_exact_parts(const Surface_ref& surface, const Eigen::VectorXd& w,
-                        const Grounded_solver& laplacian, Eigen::MatrixXd& forms)
+Eigen::MatrixXd remove_exact_parts(const Surface_ref& surface, const Eigen::VectorXd& w,
+                                   const Grounded_solver& laplacian, Eigen::MatrixXd& forms)
 {
-  constexpr Eigen::Index at_once = 16;  // columns per solve: bounds the memory for solutions
+  constexpr Eigen::Index at_once = 16;  // columns per solve: bounds the memory beside the results
+  Eigen::MatrixXd u(surface.size_of_vertices(), forms.cols());
   for (Eigen::Index first = 0; first < forms.cols(); first += at_once) {
-    auto some = forms.middleCols(first, (std::min)(at_once, forms.cols() - first));
-    some -= differential(surface, laplacian.solve(codifferential(surface, w, some)));
+    const Eigen::Index size = (std::min)(at_once, forms.cols() - first);
+    auto some = forms.middleCols(first, size);
+    u.middleCols(first, size) = laplacian.solve(codifferential(surface, w, some));
+    some -= differential(surface, u.middleCols(first, size));
   }
+  return u;
 }
 
 /// The fields of closed forms, one form per column, with each vector multiplied by the square root
@@ -87,16 +72,21 @@ Eigen::MatrixXd triangular_factor(const Surface_ref& surface, const Eigen::Matri
   return signs.asDiagonal() * R;
 }
 
-void orthonormalize_forms(const Surface_ref& surface, Eigen::MatrixXd& forms)
+Eigen::MatrixXd orthonormalize_forms(const Surface_ref& surface, Eigen::MatrixXd& forms)
 {
-  if (forms.cols() == 0) return;
+  Eigen::MatrixXd T = Eigen::MatrixXd::Identity(forms.cols(), forms.cols());
+  if (forms.cols() == 0) return T;
   require_independent(forms.cols() <= 3 * surface.size_of_sheets());
+  const auto divide_by = [&](const auto& triangle) {
+    for (Eigen::MatrixXd* A : {&forms, &T}) triangle.template solveInPlace<Eigen::OnTheRight>(*A);
+  };
   const Eigen::MatrixXd R = triangular_factor(surface, forms);
   require_independent(has_full_rank(R));
-  R.triangularView<Eigen::Upper>().solveInPlace<Eigen::OnTheRight>(forms);
+  divide_by(R.triangularView<Eigen::Upper>());
   // The Gram matrix is the identity but for rounding errors, which its Cholesky factor removes.
   const Eigen::MatrixXd V = weighted_fields(surface, forms), gram = V.transpose() * V;
-  gram.llt().matrixU().solveInPlace<Eigen::OnTheRight>(forms);
+  divide_by(gram.llt().matrixU());
+  return T;
 }
 
 }  // namespace internal

@@ -82,30 +82,21 @@ struct Harmonic_basis {
 
   int size() const { return static_cast<int>(one_forms.cols()); }
   int genus() const { return size() / 2; }  ///< of closed surfaces
-
-  /// \brief <omega_i, alpha> for the forms omega_i of the basis and the columns alpha: `size()` x
-  /// k.
-  ///
-  /// The harmonic part of alpha is `combinations(coefficients(w, alpha))`; its squared norm is the
-  /// sum of the squared coefficients.
-  /// \param w `cotan_weights(surface)` \param alpha |E| x k
-  Eigen::MatrixXd coefficients(const Eigen::VectorXd& w, const Eigen::MatrixXd& alpha) const;
-
-  /// sums of the forms with coefficients c, `size()` x k: |E| x k
-  Eigen::MatrixXd combinations(const Eigen::MatrixXd& c) const;
 };
 
 namespace internal {
 
 /// \brief Subtracts d0 u with L u = d0^T w omega from 1-forms omega; the result is co-closed.
 /// \param laplacian solves with L of the surface
-void remove_exact_parts(const Surface_ref& surface, const Eigen::VectorXd& w,
-                        const Grounded_solver& laplacian, Eigen::MatrixXd& forms);
+/// \returns u, |V| x their number
+Eigen::MatrixXd remove_exact_parts(const Surface_ref& surface, const Eigen::VectorXd& w,
+                                   const Grounded_solver& laplacian, Eigen::MatrixXd& forms);
 
 /// Replaces closed forms by orthonormal ones with the same span. Uses their fields, whose inner
 /// products are positive definite despite rounding, unlike sums with negative cotan weights.
+/// \returns T, such that the new forms are the old ones times T
 /// \throw Precondition_error if they are linearly dependent, or a number is not finite
-void orthonormalize_forms(const Surface_ref& surface, Eigen::MatrixXd& forms);
+Eigen::MatrixXd orthonormalize_forms(const Surface_ref& surface, Eigen::MatrixXd& forms);
 
 }  // namespace internal
 

@@ -2,6 +2,7 @@
 #include <Conformal_geometry_processing/forms/Hodge_decomposition.h>
 
 #include <Conformal_geometry_processing/forms/Harmonic_basis.h>
+#include <Conformal_geometry_processing/forms/Harmonic_part.h>
 #include <Conformal_geometry_processing/forms/tree_cotree.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Conformal_geometry_processing/mesh/topology.h>
@@ -38,7 +39,7 @@ internal::Hodge_parts Hodge_decomposition::decompose(const Eigen::MatrixXd& omeg
   parts.potential = potential(omega);
   parts.exact = differential(m_surface, parts.potential);
   const Eigen::MatrixXd rest = omega - parts.exact;
-  parts.harmonic = m_basis.combinations(m_basis.coefficients(m_weights, rest));
+  parts.harmonic = m_part->combinations(m_part->coefficients(rest));
   parts.coexact = rest - parts.harmonic;
   return parts;
 }
@@ -57,11 +58,15 @@ Hodge_decomposition::Hodge_decomposition(const Surface_ref& surface, Eigen::Matr
                                          Laplacian laplacian)
     : m_surface(surface), m_weights(cotan_weights(surface)), m_laplacian(std::move(laplacian))
 {
+  Eigen::SparseMatrix<double> crossings = generators.sparseView();
   Eigen::MatrixXd& forms = m_basis.one_forms = std::move(generators);
-  internal::remove_exact_parts(surface, m_weights, *m_laplacian, forms);
-  internal::orthonormalize_forms(surface, forms);
-  // Removes the solver's error in the exact part, which is large for generators.
-  internal::remove_exact_parts(surface, m_weights, *m_laplacian, forms);
+  Eigen::MatrixXd u = internal::remove_exact_parts(surface, m_weights, *m_laplacian, forms);
+  Eigen::MatrixXd T = internal::orthonormalize_forms(surface, forms);
+  u *= T;
+  // Removes the errors in the exact part, which are large for generators.
+  forms = crossings * T - differential(surface, u);
+  u += internal::remove_exact_parts(surface, m_weights, *m_laplacian, forms);
+  m_part.emplace(surface, m_weights, std::move(crossings), std::move(T), std::move(u));
   for (Eigen::Index i = 0; i < forms.cols(); ++i)
     m_basis.fields.push_back(tangent_field(surface, forms.col(i)));
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Conformal_geometry_processing/forms/Harmonic_basis.h>
+#include <Conformal_geometry_processing/forms/Harmonic_part.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 #include <Quaternionic_linear_algebra/direct/Grounded_solver.h>
 #include <Quaternionic_linear_algebra/direct/Solver_ref.h>
@@ -10,6 +11,7 @@
 #include <Eigen/Core>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -67,6 +69,9 @@ class Hodge_decomposition {
   const Harmonic_basis& harmonic_basis() const& { return m_basis; }
   Harmonic_basis harmonic_basis() && { return std::move(m_basis); }
 
+  /// products with the forms of the basis
+  const internal::Harmonic_part& harmonic_part() const { return *m_part; }
+
   /// `cotan_weights(surface)`: the inner product of 1-forms, |E|
   const Eigen::VectorXd& weights() const { return m_weights; }
 
@@ -95,6 +100,7 @@ class Hodge_decomposition {
   Eigen::VectorXd m_weights;  // |E|
   Laplacian m_laplacian;
   Harmonic_basis m_basis;
+  std::optional<internal::Harmonic_part> m_part;
 };
 
 /// \ingroup PkgForms

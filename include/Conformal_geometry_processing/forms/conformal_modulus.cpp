@@ -38,7 +38,8 @@ std::complex<double> conformal_modulus(const Mesh_view& mesh, const Harmonic_bas
         "the surface has genus " + std::to_string(basis.genus()) + "; a torus is needed");
   Eigen::MatrixXd generators = closed_generators(mesh);
   if (wedge_product(mesh, generators.col(0), generators.col(1)) < 0) generators.col(0) *= -1;
-  const Eigen::Matrix2d periods = basis.coefficients(cotan_weights(mesh), generators);
+  const Eigen::Matrix2d periods =
+      basis.one_forms.transpose() * cotan_weights(mesh).asDiagonal() * generators;
   const Eigen::Matrix2d G = periods.transpose() * periods;
   return reduced_modulus({-G(0, 1) / G(1, 1), std::abs(periods.determinant()) / G(1, 1)});
 }

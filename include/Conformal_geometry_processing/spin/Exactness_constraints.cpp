@@ -43,10 +43,10 @@ internal::Constraint_basis internal::Exactness_constraints::basis() const
 
 double internal::Exactness_constraints::period_defect(const Eigen::MatrixX3d& edges) const
 {
-  if (forms.size() == 0) return 0;
+  if (!forms) return 0;
   // Uses |w|, because w is negative opposite large angles and then defines no norm.
   const double total = weights.cwiseAbs().dot(edges.rowwise().squaredNorm());
-  return forms.coefficients(weights, edges).norm() / std::sqrt(total);
+  return forms->coefficients(edges).norm() / std::sqrt(total);
 }
 
 internal::Exactness_constraints exactness_constraints(internal::Dirac_system& system,
@@ -63,15 +63,15 @@ internal::Exactness_constraints exactness_constraints(internal::Dirac_system& sy
   c.functions = Eigen::MatrixXd(c.areas.size(), 0);
   if (generators.cols() == 0) return c;
   c.weights = cotan_weights(surface);
-  c.forms = Hodge_decomposition(surface, std::move(generators), laplacian).harmonic_basis();
-  const bool is_thesis = system.is_closed() && version == Exactness::thesis;
-  if (!is_thesis) c.forms.fields.clear();
+  const Hodge_decomposition hodge(surface, std::move(generators), laplacian);
+  c.forms = hodge.harmonic_part();
   if (!version) return c;
   const double tolerance = 1e-8;  // far below the periods of second order that any edit leaves
+  const bool is_thesis = system.is_closed() && version == Exactness::thesis;
   system.prepare_response();
   c.factorizations = 1;
   c.functions = exactness_functions(
-      surface, c.forms,
+      surface, hodge.harmonic_basis(),
       [&](const Block<Quaternion<double>>& b) { return system.response(b, tolerance, c.solves); },
       on, system.coefficients(), is_thesis ? Exactness::thesis : Exactness::adjoint);
   return c;

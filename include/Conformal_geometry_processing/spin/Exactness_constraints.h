@@ -1,6 +1,7 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #pragma once
 
+#include <Conformal_geometry_processing/forms/Harmonic_part.h>
 #include <Conformal_geometry_processing/forms/exactness_functions.h>
 #include <Conformal_geometry_processing/spin/Dirac_system.h>
 #include <Conformal_geometry_processing/spin/Spin_report.h>
@@ -53,10 +54,9 @@ class Constraint_basis {
 /// a transformation [CGP 4.5.2].
 struct Exactness_constraints {
   Curvature_potential::On on = Curvature_potential::On::vertices;  ///< where the values of rho are
-  Harmonic_basis forms;       ///< of the surface, with fields only where `Exactness::thesis` needs
-                              ///< them; none on spheres and disks
-  Eigen::VectorXd weights;    ///< `cotan_weights()`, |E|
-  Eigen::VectorXd areas;      ///< `curvature_areas()`, |V| or |F|
+  std::optional<Harmonic_part> forms;  ///< of the surface; none on spheres and disks
+  Eigen::VectorXd weights;             ///< `cotan_weights()`, |E|
+  Eigen::VectorXd areas;               ///< `curvature_areas()`, |V| or |F|
   Eigen::MatrixXd functions;  ///< `exactness_functions()`, three for each form; |V| or |F| rows
   bool constants_have_effect = false;  ///< gamma is a misfit, not an eigenvalue up to which rho is
                                        ///< realised

@@ -34,14 +34,14 @@ Eigen::VectorXd Period_residual::change(const Spins& dlambda) const
 
 auto Period_residual::gradient(const Eigen::VectorXd& y) const -> Spins
 {
-  const Eigen::MatrixX3d edges = m_exactness.forms.combinations(y.reshaped(y.size() / 3, 3));
+  const Eigen::MatrixX3d edges = m_exactness.forms->combinations(y.reshaped(y.size() / 3, 3));
   const Eigen::VectorXd weights = std::sqrt(m_weight) / m_length * m_exactness.weights;
   return edge_gradient(m_surface, m_lambda, weights.asDiagonal() * edges);
 }
 
 Eigen::VectorXd Period_residual::periods(const Eigen::MatrixX3d& edges) const
 {
-  return m_exactness.forms.coefficients(m_exactness.weights, edges).reshaped() / m_length;
+  return m_exactness.forms->coefficients(edges).reshaped() / m_length;
 }
 
 /// the changes of rho that take off periods, and those of spins that belong to them
