@@ -68,6 +68,7 @@ TEST_F(Suggested_factor, is_looked_for_within_a_budget_of_solves_where_rho_is_wi
   EXPECT_GT(result["solves"], 400);
   EXPECT_GE(result["suggestion_solves"], 1000);
   EXPECT_EQ(count_of(", factorization\"", r.err), 3) << "not four";
+  EXPECT_EQ(count_of("this takes long: 250 iterations", r.err), 1) << "of more attempts";
   const auto note = r.err.find("looking for an amplitude"), first = r.err.find("rho times 0.5, ");
   EXPECT_LT(note, first) << r.err;
   EXPECT_NE(first, std::string::npos);

@@ -51,6 +51,29 @@ TEST(Relaxed_scales, leaves_room_below_the_bound)
   EXPECT_GE(scales.excess(), .89);
 }
 
+TEST(Relaxed_scales, end_where_their_iterations_are_spent_with_what_they_have)
+{
+  const Mesh_view mesh = perturbed(ellipsoid(2), .05);
+  Dirac_system system(mesh);
+  const Scale_control control{1.5, {}, {}};
+  CGP::internal::Relaxed_scales_options few;
+  few.max_iterations = 8;
+  Relaxed_scales scales(system, waves_on(mesh, 3), control, {}, few);
+  EXPECT_EQ(scales.run(), End::too_many_steps);
+  const CGP::internal::Dirac_solution first = scales.solution();
+  EXPECT_TRUE(first.is_unfinished);
+  EXPECT_TRUE(first.converged);
+  EXPECT_LE(first.iterations, few.max_iterations + few.spins.max_iterations);
+  scales.reset_costs();
+  EXPECT_EQ(scales.stiffen(3), End::too_many_steps);
+  EXPECT_EQ(scales.solution().iterations, 0);
+  EXPECT_NEAR(system.overlap(scales.solution().lambda, first.lambda), 1, 1e-14);
+  for (int edit = 0; scales.is_spent(); ++edit, scales.renew_budget(), scales.go_on())
+    ASSERT_LT(edit, 20);
+  EXPECT_FALSE(scales.solution().is_unfinished);
+  EXPECT_LE(scales.excess(), 1);
+}
+
 // Where the bound is slack it has no effect, and as rho grows, lengths reach it without a jump.
 TEST(Relaxed_scales, comes_up_to_the_bound_without_a_jump)
 {

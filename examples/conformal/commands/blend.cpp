@@ -129,7 +129,7 @@ void note_unlike(const CGP::Mesh_view& a, const CGP::Mesh_view& b, const Blend_o
 }
 
 CGP::Curvature_potential searched_difference(const Trio& meshes, const Blend_options& options,
-                                             const Session& session)
+                                             Session& session)
 {
   CGP::Curvature_potential rho;
   const auto solve = [&](const Go_further& go_further) {

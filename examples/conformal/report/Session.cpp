@@ -3,6 +3,7 @@
 
 #include "conformal/process/text.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <utility>
 
@@ -16,7 +17,9 @@ Session::Session(const Common_options& options, std::string part)
 
 void Session::note(const std::string& text)
 {
-  m_outcome.notes.push_back(text);
+  std::vector<std::string>& notes = m_outcome.notes;
+  if (std::find(notes.begin(), notes.end(), text) != notes.end()) return;
+  notes.push_back(text);
   if (!m_options.quiet && m_part.empty())
     std::fprintf(stderr, "conformal: note: %s\n", printable_line(text).c_str());
 }

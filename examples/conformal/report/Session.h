@@ -40,7 +40,8 @@ class Session {
   const std::string& input() const { return m_input; }
   void set_input(const std::string& path) { m_input = path; }
 
-  /// Notes a change of the input that was not requested: a line on stderr, and in the report.
+  /// Notes, once, a change of the input that was not requested: a line on stderr, and in the
+  /// report.
   void note(const std::string& text);
   void note_all(const std::vector<std::string>& texts);
 

@@ -21,6 +21,7 @@ void report_details(const CGP::Spin_report& spin, Report& report)
   report.set("result/substeps", spin.substeps);
   report.set("result/spectral_shift", spin.spectral_shift);
   report.set("result/relaxed", spin.is_relaxed);
+  report.set("result/unfinished", spin.is_unfinished);
   report.set("result/dirac_residual", spin.dirac_residual);
   if (spin.branch_gap > 0) report.set("result/branch_gap", spin.branch_gap);
   report.set("result/factorizations", spin.factorizations);

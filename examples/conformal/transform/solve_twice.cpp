@@ -22,8 +22,7 @@ struct Attempt {
 };
 
 Attempt attempt(const CGP::Mesh_view& mesh, const Spin_problem& problem,
-                const CGP::Spin_report::Limits& limits, const Session& session,
-                const std::string& words)
+                const CGP::Spin_report::Limits& limits, Session& session, const std::string& words)
 {
   const auto solve = [&](const Go_further& go_further) {
     return solve_spin(mesh, problem, go_further);
@@ -68,7 +67,7 @@ bool is_same_surface(const CGP::Mesh_view& mesh, double mollification)
 }  // namespace
 
 Spin_solution solve_twice(const CGP::Mesh_view& mesh, const Spin_problem& problem,
-                          const CGP::Spin_report::Limits& limits, const Session& session,
+                          const CGP::Spin_report::Limits& limits, Session& session,
                           const std::string& words)
 {
   Attempt first = attempt(mesh, problem, limits, session, words);

@@ -16,7 +16,7 @@ namespace conformal {
 /// \param words said before those of progress
 /// \throws Failure on a signal, and exceptions of the library in the first attempt
 Spin_solution solve_twice(const CGP::Mesh_view& mesh, const Spin_problem& problem,
-                          const CGP::Spin_report::Limits& limits, const Session& session,
+                          const CGP::Spin_report::Limits& limits, Session& session,
                           const std::string& words = "");
 
 }  // namespace conformal

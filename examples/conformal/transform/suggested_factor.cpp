@@ -14,7 +14,7 @@ namespace conformal {
 namespace {
 
 bool has_solution(const CGP::Mesh_view& mesh, const Spin_problem& problem,
-                  const CGP::Spin_report::Limits& limits, const Session& session,
+                  const CGP::Spin_report::Limits& limits, Session& session,
                   const std::string& words, int& solves)
 {
   try {
@@ -30,7 +30,7 @@ bool has_solution(const CGP::Mesh_view& mesh, const Spin_problem& problem,
 }  // namespace
 
 Suggestion suggested_factor(const CGP::Mesh_view& mesh, const Spin_problem& refused,
-                            const CGP::Spin_report::Limits& limits, const Session& session)
+                            const CGP::Spin_report::Limits& limits, Session& session)
 {
   const int most_tries = 4, most_solves = 1000;
   Suggestion found;

@@ -127,12 +127,12 @@ py::dict as_dict(const CGP::Conformality& c)
 py::dict as_dict(const CGP::Spin_report& r)
 {
   py::dict d("fault"_a = fault_of(r), "converged"_a = r.converged, "cancelled"_a = r.cancelled,
-             "is_relaxed"_a = r.is_relaxed, "eigenvalue"_a = r.eigenvalue,
-             "residual"_a = r.residual, "dirac_residual"_a = r.dirac_residual, "gap"_a = r.gap,
-             "branch_gap"_a = r.branch_gap, "overlap"_a = r.overlap, "iterations"_a = r.iterations,
-             "substeps"_a = r.substeps, "factorizations"_a = r.factorizations,
-             "solves"_a = r.solves, "spectral_shift"_a = r.spectral_shift,
-             "is_generalized"_a = r.is_generalized,
+             "is_relaxed"_a = r.is_relaxed, "is_unfinished"_a = r.is_unfinished,
+             "eigenvalue"_a = r.eigenvalue, "residual"_a = r.residual,
+             "dirac_residual"_a = r.dirac_residual, "gap"_a = r.gap, "branch_gap"_a = r.branch_gap,
+             "overlap"_a = r.overlap, "iterations"_a = r.iterations, "substeps"_a = r.substeps,
+             "factorizations"_a = r.factorizations, "solves"_a = r.solves,
+             "spectral_shift"_a = r.spectral_shift, "is_generalized"_a = r.is_generalized,
              "generalized_eigenvalue"_a = r.generalized_eigenvalue);
   d["steps"] = r.steps;
   d["reached"] = r.reached;

@@ -119,6 +119,7 @@ auto Conformal_deformation::search(const std::vector<Control_point>& points,
     m_initial = m_positions->state();
   }
   m_positions->reset_costs();
+  m_positions->renew_budget();
   Walk found = walk(points, go_further);
   if (!has_run || found.reached == 1 || found.is_cancelled) return found;
   m_positions->restart(m_initial);

@@ -20,6 +20,7 @@ void internal::add_costs(Dirac_evidence& all, const Dirac_evidence& next)
   all.iterations += next.iterations;
   all.factorizations += next.factorizations;
   all.solves += next.solves;
+  all.is_unfinished = all.is_unfinished || next.is_unfinished;
 }
 
 void internal::add_costs(Dirac_evidence::Seconds& all, const Dirac_evidence::Seconds& next)

@@ -49,6 +49,9 @@ struct Dirac_evidence {
   /// `residual`, `gap` and `branch_gap` have no meaning
   bool is_relaxed = false;
 
+  /// its search ended at a budget of iterations, with the best that it had
+  bool is_unfinished = false;
+
   double eigenvalue = 0;  ///< gamma, signed, in 1/length; the mean of rho' - rho
   double residual = 0;    ///< estimate of the error of lambda: the norm of X lambda - mu M_V lambda
                           ///< dual to the energy, divided by sqrt(4 pi / area) |lambda|
@@ -87,7 +90,8 @@ struct Dirac_solution : Dirac_evidence {
 };
 
 /// \ingroup PkgSpin
-/// adds the iterations, factorizations and solves of another solution
+/// adds the iterations, factorizations and solves of another solution, one of which may be
+/// unfinished
 void add_costs(Dirac_evidence& all, const Dirac_evidence& next);
 
 /// \ingroup PkgSpin

@@ -84,7 +84,9 @@ Nearest_spin_result Nearest_spin_transformation::searched(Nearest_spin_result st
   Nearest_spin_result best = std::move(start);
   Search::State state = search->state();
   for (double w = internal::first_weight(search->distance());
-       w <= last_weight && factor > least_factor && !is_reached(best); w *= factor) {
+       w <= last_weight && factor > least_factor && !is_reached(best) &&
+       !search->scales().is_spent();
+       w *= factor) {
     search->set_weight(w);
     const bool is_cancelled = search->go_on(go_further) == internal::Relaxed_scales::End::cancelled;
     Nearest_spin_result next = is_cancelled ? Nearest_spin_result{} : present(*search);

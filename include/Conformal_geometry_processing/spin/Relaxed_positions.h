@@ -83,6 +83,7 @@ class Relaxed_positions {
   /// positions if the search was cancelled
   Spin_result present();
   void reset_costs() { m_scales.reset_costs(); }
+  void renew_budget() { m_scales.renew_budget(); }
 
   const Relaxed_scales& scales() const { return m_scales; }
 

@@ -100,6 +100,7 @@ auto Relaxed_scales::step(double share, const Go_further& go_further,
   m_spins.want(share * m_rho);
   const Relaxed_spins::Progress progress = m_spins.advance(
       [&] {
+        ++m_spent;
         return go_further({++m_iterations, m_excess, m_moved});
       },
       unknown);
@@ -168,7 +169,7 @@ auto Relaxed_scales::settle(const Go_further& go_further) -> End
 {
   m_spins.set_tolerance(m_options.last_tolerance);
   m_response.resize(0);
-  while (m_steps < m_options.max_steps) {
+  while (m_steps < m_options.max_steps && !is_spent()) {
     const End end = step(1, go_further, log_weight());
     if (end == End::cancelled) return end;
     const bool is_met = m_options.is_met();
@@ -216,6 +217,7 @@ Dirac_solution Relaxed_scales::solution() const
   Dirac_solution s;
   s.lambda = m_system.normalized(m_spins.lambda());
   s.is_relaxed = true;
+  s.is_unfinished = is_spent();
   s.cancelled = m_end == End::cancelled;
   s.converged = !s.cancelled && components(s.lambda).allFinite();
   s.eigenvalue = areas.dot(m_spins.rho() - m_rho) / areas.sum();

@@ -22,6 +22,9 @@ struct Relaxed_scales_options {
   Relaxed_spins::Options spins;
   int stages = 3;
   int max_steps = 16;
+  /// of conjugate gradients, in all searches since `renew_budget()`: beyond, they end with what
+  /// they have. Some twenty times those of most results.
+  int max_iterations = 1000;
   double least_weight = 0.01;  ///< w in 1 / R^2 that has no effect
   double closeness = 0.007;    ///< of the largest log factor to that of the bound, relative
   double settled = 0.1;        ///< change of lambda by a step, relative to all of its way
@@ -100,6 +103,12 @@ class Relaxed_scales {
   /// counts costs from here on
   void reset_costs() { m_spins.reset_costs(), m_iterations = 0; }
 
+  /// allows all iterations again, as for an edit after the last one
+  void renew_budget() { m_spent = 0; }
+
+  /// whether there is no iteration left
+  bool is_spent() const { return m_spent >= m_options.max_iterations; }
+
   const Relaxed_spins& spins() const { return m_spins; }
   double weight() const { return m_weight; }  ///< w, in 1 / R^2; 0 without a bound
   double excess() const { return m_excess; }  ///< see `Spin_report::Scales::excess()`
@@ -129,7 +138,7 @@ class Relaxed_scales {
   double m_weight = 0, m_excess = 0, m_room = 0;
   Relaxed_spins::Spins m_response;            // of the spins to log w, or empty
   double m_moved = 0, m_way = 0, m_gain = 0;  // of lambda in the last step and all, of the sum
-  int m_steps = 0, m_iterations = 0;
+  int m_steps = 0, m_iterations = 0, m_spent = 0;
 };
 
 }  // namespace Conformal_geometry_processing::internal

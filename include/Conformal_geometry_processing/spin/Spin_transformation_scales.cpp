@@ -62,7 +62,8 @@ Spin_result Spin_transformation::on_class(Spin_result result, const Curvature_po
     if (next.report.converged && !next.report.cancelled) move_to_class(next);
     internal::add_costs(next.report, result.report);
     result = std::move(next);
-    if (result.report.cancelled || !result.report.converged) break;
+    const Spin_report& r = result.report;
+    if (r.cancelled || !r.converged || r.is_unfinished) break;
   }
   return result;
 }
@@ -134,7 +135,7 @@ void Spin_transformation::ask_for_less(internal::Relaxed_surface& search,
 {
   const double less = .7, least = .2;
   const internal::Relaxed_scales::State all = search.scales.state();
-  for (double share = less; share > least; share *= less) {
+  for (double share = less; share > least && !search.scales.is_spent(); share *= less) {
     search.scales.follow(share * wanted, m_visits.guarded(go_further));
     search.close_within_bound(m_visits.guarded(go_further));
     result = surface_of(search.scales.solution());
@@ -151,7 +152,8 @@ void Spin_transformation::close_up(internal::Relaxed_surface& search,
   const int max_tries = 4;
   const double most_shear = .95, least_gain = .05;
   const auto present = [&] { return shear(result.report, m_options.scales.bound.has_value()); };
-  for (int i = 0; i < max_tries && !result.report.cancelled; ++i) {
+  const auto ends = [&] { return result.report.cancelled || search.scales.is_spent(); };
+  for (int i = 0; i < max_tries && !ends(); ++i) {
     const bool is_open = !(result.report.period_defect <= result.report.period_limit);
     const double before = present();
     if (!is_open && before <= most_shear) return;
@@ -178,6 +180,7 @@ Spin_result Spin_transformation::preview(const Curvature_potential& rho, bool co
     search = std::make_shared<internal::Relaxed_surface>(*this, wanted, m_options.scales, few);
   internal::Relaxed_scales& scales = search->scales;
   scales.reset_costs();
+  scales.renew_budget();
   if (continues && scales.steps() > 0)
     scales.follow(wanted);
   else

@@ -152,6 +152,7 @@ class Spin_report(Report):
     converged: bool
     cancelled: bool
     is_relaxed: bool
+    is_unfinished: bool
     eigenvalue: float
     residual: float
     dirac_residual: float
