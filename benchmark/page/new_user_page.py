@@ -7,12 +7,16 @@ from page.tables import grouped, table
 
 def blocks(rows):
     return {"steps": table(["way", "seconds"], [
-        [way, "; ".join(f"{row['step']} {row['seconds']:.0f}" for row in some)]
+        [way + (", bare" if some[0].get("bare") else ""), "; ".join(step(row) for row in some)]
         for (way,), some in grouped(rows, "way").items()])}
 
 
+def step(row):
+    return f"{row['step']} {row['seconds']:.0f}" + (f" ({row['cpu']:.0f})" if "cpu" in row else "")
+
+
 def kind(row):
-    words = ("library", "module", "quickstart", "compile")
+    words = ("packages", "library", "module", "quickstart", "page", "compile")
     return next((word for word in words if word in row["step"]), "run and draw")
 
 
