@@ -1,12 +1,10 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #pragma once
 
-#include <stdlib.h>
-
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <stdexcept>
+#include <random>
 #include <string>
 
 namespace cgp_test {
@@ -16,9 +14,10 @@ class Temporary_folder {
  public:
   Temporary_folder()
   {
-    std::string name = (std::filesystem::temp_directory_path() / "conformal-test-XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
-    m_path = name;
+    std::random_device random;
+    const std::filesystem::path parent = std::filesystem::temp_directory_path();
+    do m_path = parent / ("conformal-test-" + std::to_string(random()));
+    while (!std::filesystem::create_directory(m_path));
   }
   ~Temporary_folder() { std::filesystem::remove_all(m_path); }
   Temporary_folder(const Temporary_folder&) = delete;

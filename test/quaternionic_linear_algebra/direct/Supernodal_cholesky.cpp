@@ -8,6 +8,7 @@
 #include <complex>
 #include <cstdlib>
 #include <limits>
+#include <memory>
 #include <new>
 #include <vector>
 
@@ -19,20 +20,24 @@
 /// Allocations of more bytes than this fail
 std::size_t most_bytes = ~std::size_t(0);
 
+// Not all systems have `std::aligned_alloc()`: before the memory is what to free.
 void* operator new(std::size_t bytes, std::align_val_t alignment)
 {
   const std::size_t a = static_cast<std::size_t>(alignment);
-  if (bytes <= most_bytes)
-    if (void* const p = std::aligned_alloc(a, (bytes + a - 1) / a * a)) return p;
-  throw std::bad_alloc();
+  void* const all = bytes <= most_bytes ? std::malloc(sizeof(void*) + a + bytes) : nullptr;
+  if (all == nullptr) throw std::bad_alloc();
+  std::size_t room = a + bytes;
+  void* p = static_cast<void**>(all) + 1;
+  static_cast<void**>(std::align(a, bytes, p, room))[-1] = all;
+  return p;
 }
 void operator delete(void* p, std::align_val_t) noexcept
 {
-  std::free(p);
+  if (p != nullptr) std::free(static_cast<void**>(p)[-1]);
 }
-void operator delete(void* p, std::size_t, std::align_val_t) noexcept
+void operator delete(void* p, std::size_t, std::align_val_t alignment) noexcept
 {
-  std::free(p);
+  operator delete(p, alignment);
 }
 
 namespace cgp_test::supernodal_cholesky_tests {
