@@ -36,7 +36,8 @@ const char* const flatten_about =
     "quasi-conformal error.\n"
     "--planar has the surface unbend by curvature: its mean curvature becomes zero, and the\n"
     "tangents of its boundary, which must be one loop, those of a plane curve that turns as it\n"
-    "did.\n"
+    "did. Where the boundary is small against the surface, lengths change most, and faces have to\n"
+    "be small.\n"
     "--cut opens closed surfaces first.\n"
     "Example: conformal flatten face.off -o face.glb --json face.json";
 
