@@ -107,8 +107,8 @@ Spin_result Spin_transformation::relaxed(const Curvature_potential& rho,
   const Eigen::VectorXd wanted = in_frame(rho);
   const internal::Closing_start start = closing_start(wanted, go_further);
   const bool is_guided = start.lambda.size() == 0;
-  internal::Relaxed_scales_options search_options =
-      is_guided ? internal::Relaxed_scales_options() : internal::Closing_start::few_steps();
+  internal::Relaxed_scales_options search_options;
+  if (!is_guided && !control.bound) search_options = internal::Closing_start::few_steps();
   search_options.spins.weights.factor = stiffness;
   internal::Relaxed_surface search(*this, wanted, control, search_options);
   if (is_guided)
