@@ -67,6 +67,18 @@ TEST(Morton_order, is_the_same_for_any_numbering)
   EXPECT_EQ(one.mesh.corners(), other.mesh.corners());
 }
 
+// As at seams: vertices at one position differ by their neighbours.
+TEST(Morton_order, is_the_same_where_vertices_coincide)
+{
+  const Mesh_view a = surface();
+  CGP::Points moved = perturbed(a, .1, 5).positions();
+  for (const int v : {3, 50, 51}) moved.col(v) = a.position(v);
+  const Mesh_view pair = disjoint_union(a, {moved, a.corners()}, Eigen::Vector3d::Zero());
+  const Mesh_component one = ordered(pair), other = ordered(shuffled(pair));
+  EXPECT_EQ(one.mesh.positions(), other.mesh.positions());
+  EXPECT_EQ(one.mesh.corners(), other.mesh.corners());
+}
+
 TEST(Morton_order, leads_back_to_the_elements_of_the_whole)
 {
   const Mesh_view mesh = shuffled(surface());
@@ -106,7 +118,7 @@ TEST(Morton_order, takes_any_unit_of_length_and_vertices_at_one_place)
     EXPECT_LT(mean_distance(ordered(scaled).mesh), 4 * std::sqrt(mesh.size_of_vertices()));
   }
   const Mesh_view point(CGP::Points::Zero(3, 4), {{0, 1, 2}, {0, 2, 3}});
-  EXPECT_EQ(ordered(point).vertices, (std::vector<int>{0, 1, 2, 3}));
+  EXPECT_EQ(ordered(point).vertices, (std::vector<int>{1, 3, 0, 2}));  // fewer neighbours first
   EXPECT_TRUE(ordered(Mesh_view()).vertices.empty());
 }
 

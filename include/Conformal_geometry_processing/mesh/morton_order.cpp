@@ -64,6 +64,42 @@ inline std::vector<int> vertices_along_curve(const Points& points)
   return vertices;
 }
 
+/// of each vertex where those at its position begin in the order
+inline std::vector<int> places(const Mesh_view& mesh, const std::vector<int>& order)
+{
+  std::vector<int> place(order.size());
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    const bool is_new = k == 0 || mesh.position(order[k]) != mesh.position(order[k - 1]);
+    place[static_cast<std::size_t>(order[k])] =
+        is_new ? static_cast<int>(k) : place[static_cast<std::size_t>(order[k - 1])];
+  }
+  return place;
+}
+
+/// orders vertices at one position by the places of their neighbours
+inline void order_coinciding(const Mesh_view& mesh, std::vector<int>& order)
+{
+  const std::vector<int> place = places(mesh, order);
+  const auto at = [&](int v) {
+    return static_cast<std::size_t>(place[static_cast<std::size_t>(v)]);
+  };
+  std::vector<int> count(order.size(), 0);
+  for (const int v : order) ++count[at(v)];
+  if (std::count(count.begin(), count.end(), 1) == mesh.size_of_vertices()) return;
+  std::vector<std::vector<int>> neighbours(order.size());
+  const auto add = [&](int v, int w) {
+    if (count[at(v)] > 1)
+      neighbours[static_cast<std::size_t>(v)].push_back(static_cast<int>(at(w)));
+  };
+  for (const auto& [a, b] : mesh.ends()) add(a, b), add(b, a);
+  for (std::vector<int>& own : neighbours) std::sort(own.begin(), own.end());
+  std::stable_sort(order.begin(), order.end(), [&](int v, int w) {
+    return at(v) != at(w)
+               ? at(v) < at(w)
+               : neighbours[static_cast<std::size_t>(v)] < neighbours[static_cast<std::size_t>(w)];
+  });
+}
+
 /// the faces of the mesh with the numbers of their vertices, sorted, and where they were
 inline std::vector<std::pair<std::array<int, 3>, int>> sorted_faces(const Mesh_view& mesh,
                                                                     const std::vector<int>& number)
@@ -83,7 +119,8 @@ inline std::vector<std::pair<std::array<int, 3>, int>> sorted_faces(const Mesh_v
 Mesh_component in_morton_order(const Mesh_component& part)
 {
   const auto at = [](int i) { return static_cast<std::size_t>(i); };
-  const std::vector<int> order = vertices_along_curve(part.mesh.positions());
+  std::vector<int> order = vertices_along_curve(part.mesh.positions());
+  order_coinciding(part.mesh, order);
   Mesh_component ordered;
   std::vector<int> number(order.size());
   for (const int v : order) {

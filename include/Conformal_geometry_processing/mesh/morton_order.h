@@ -11,7 +11,8 @@ namespace Conformal_geometry_processing::internal {
 /// memory.
 ///
 /// The order is that of the shape, so a mesh whose elements are numbered in another way becomes the
-/// same mesh, bit by bit; but vertices at the same position keep their order. O(|V| log |V|)
+/// same mesh, bit by bit; but vertices at the same position whose neighbours are at the same
+/// positions, too, keep their order. O(|V| log |V|)
 /// \pre positions are finite
 Mesh_component in_morton_order(const Mesh_component& part);
 
