@@ -80,7 +80,7 @@ TEST(Cones, reduce_the_distortion_of_areas_with_their_number)
       last = now;
       if (count == 4) first = now;
     }
-    EXPECT_LT(last, first / 5);
+    EXPECT_LT(last, first / 2);
   }
 }
 

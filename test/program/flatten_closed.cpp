@@ -247,7 +247,7 @@ TEST_F(Flatten_closed, refuses_cones_that_do_not_fit)
   EXPECT_TRUE(fails(run(to + "0:0,1,2"), 2, "'0:0' is no vertex"));
   EXPECT_TRUE(fails(run(to + "x"), 2, "'x' is no vertex"));
   EXPECT_TRUE(fails(run("flatten a.off --method cones -o b.ply"), 4, "--cut"));
-  EXPECT_EQ(run(to + "0:90,1:120,2,3 --json b.json").code, 0);
+  EXPECT_EQ(run(to + "0:90,1:120,2,3 --force --json b.json").code, 0);
   EXPECT_NEAR(json("b.json")["result"]["cones"]["angles"][1].get<double>(), 120, 1e-9);
 }
 

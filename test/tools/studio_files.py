@@ -11,10 +11,11 @@ COLUMNS, ROWS = 36, 20
 
 
 def torus():
-    """The points of a torus, in rows, and its quadrangles."""
+    """The points of a torus without symmetries, in rows, and its quadrangles."""
     def point(i, k):
         u, v = 2 * math.pi * i / COLUMNS, 2 * math.pi * k / ROWS
-        return (1 + .4 * math.cos(v)) * math.cos(u), (1 + .4 * math.cos(v)) * math.sin(u), .4 * math.sin(v)
+        r, z = 1 + .4 * math.cos(v), .4 * math.sin(v)
+        return 1.2 * r * math.cos(u), r * math.sin(u) + .2 * z, z + .1 * math.cos(2 * u)
 
     def vertex(i, k):
         return i % COLUMNS * ROWS + k % ROWS
