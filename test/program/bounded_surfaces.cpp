@@ -100,7 +100,9 @@ TEST_F(Bounded, flow_flattens_a_cap_unless_its_binormals_stay)
     double energy = report["result"]["energy"]["initial"];
     EXPECT_GT(energy, 3.4);
     for (const auto& step : report["steps"]) {
-      if (condition != "binormals") EXPECT_LT(step["energy"], energy);
+      if (condition != "binormals") {
+        EXPECT_LT(step["energy"], energy);
+      }
       energy = step["energy"];
     }
     // A spherical cap of the angle pi/3 has the energy pi, and constant mean curvature.
