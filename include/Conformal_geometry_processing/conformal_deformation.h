@@ -174,10 +174,10 @@ Spin_report conformal_deformation(TriangleMesh& mesh, const TargetRange& targets
   const Graph_view<TriangleMesh> graph(mesh, np, function);
   Spin_visitor silent;
   auto&& visitor = internal::parameter_or(np, CGAL::internal_np::visitor, silent);
+  const auto options = internal::conformal_deformation_options(graph, np);
   const auto points = internal::read_control_points(
       graph, targets, internal::geometry_traits<TriangleMesh>(np), function);
-  internal::Conformal_deformation deformation(
-      graph.view(), internal::conformal_deformation_options(graph, np), function);
+  internal::Conformal_deformation deformation(graph.view(), options, function);
   Spin_result result = deformation.deform(points, internal::asking(visitor));
   result.report.limits = internal::parameter_or(np, internal_np::limits, result.report.limits);
   if (result.report) internal::write_spin_result(mesh, graph, result, np);

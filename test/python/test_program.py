@@ -1,5 +1,7 @@
 # Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-"""Python and the program compute the same bits."""
+"""Python and the program compute the same, up to the order of sums.
+
+Python takes vertices as the arrays have them, the program along a curve through their positions."""
 
 import json
 import os
@@ -37,6 +39,10 @@ def run(*arguments):
     subprocess.run([PROGRAM, *map(str, arguments)], check=True, stdout=subprocess.DEVNULL)
 
 
+def agree(a, b):
+    return a.shape == b.shape and np.abs(a - b).max() < 1e-8
+
+
 def positions(vertices):
     return np.column_stack([vertices[c] for c in "xyz"])
 
@@ -53,8 +59,8 @@ def test_spin(mesh, max_scale, tmp_path):
     result = cg.spin_transform(V, F, (1 / 1.5) * rho, on="vertices", max_scale=max_scale)
     assert result
     vertices = read_vertices(tmp_path / "out.ply")
-    assert np.array_equal(positions(vertices), result.positions)
-    assert np.array_equal(np.column_stack([vertices["q_" + c] for c in "wxyz"]), result.spins)
+    assert agree(positions(vertices), result.positions)
+    assert agree(np.column_stack([vertices["q_" + c] for c in "wxyz"]), result.spins)
 
 
 def test_flow(tmp_path):
@@ -62,7 +68,7 @@ def test_flow(tmp_path):
     write_ply(tmp_path / "in.ply", V, F)
     run("flow", tmp_path / "in.ply", "--steps", "3", "-o", tmp_path / "out.ply")
     result = cg.willmore_flow(V, F, max_steps=3)
-    assert np.array_equal(positions(read_vertices(tmp_path / "out.ply")), result.positions)
+    assert agree(positions(read_vertices(tmp_path / "out.ply")), result.positions)
 
 
 @pytest.mark.parametrize("mesh", [icosphere(2, .05), torus(18, 9), patch(8, .2)])
@@ -79,5 +85,5 @@ def test_deform(mesh, tmp_path):
     result = cg.deform(V, F, targets)
     assert result
     found = read_vertices(tmp_path / "out.ply")
-    assert np.array_equal(positions(found), result.positions)
-    assert np.array_equal(np.column_stack([found["q_" + c] for c in "wxyz"]), result.spins)
+    assert agree(positions(found), result.positions)
+    assert agree(np.column_stack([found["q_" + c] for c in "wxyz"]), result.spins)

@@ -31,8 +31,8 @@ class Scale_variance {
     m_solver.factorize(cotan_laplacian(mesh));
     m_u = centred(m_solver.solve(m_curvature.sum() * m_areas - m_curvature));
     m_responses.resize(m_areas.size(), 0);
-    m_largest = std::max(pi, m_curvature.sum() / count);
-    m_least = std::min(-pi, m_curvature.sum() / count);
+    m_largest = (std::max)(pi, m_curvature.sum() / count);
+    m_least = (std::min)(-pi, m_curvature.sum() / count);
   }
 
   int size_of_cones() const { return static_cast<int>(m_cones.size()); }
