@@ -4,7 +4,7 @@
 /// binormals or positions of the boundary of these surfaces, on irregular meshes at three
 /// resolutions. Prints a line of JSON for each.
 ///
-/// Usage: benchmark_exact_boundaries [DOMAINS]   (60)
+/// Usage: benchmark_exact_boundaries [DOMAINS [FIRST]]   (60, 0; others are random anew)
 ///
 /// A half of the domains are disks. Of the rings, a third have polynomial data, a third Laurent
 /// ones, with a pole in the hole, and a third are turned inside out. What a user has is measured:
@@ -101,8 +101,8 @@ void measure(int k, double h, const std::string& name)
 
 int main(int argc, char** argv)
 {
-  const int domains = argc > 1 ? std::atoi(argv[1]) : 60;
-  for (int k = 0; k < domains; ++k)
+  const int domains = argc > 1 ? std::atoi(argv[1]) : 60, first = argc > 2 ? std::atoi(argv[2]) : 0;
+  for (int k = first; k < first + domains; ++k)
     for (const std::string name : {"tangents", "binormals", "positions"})
       for (const double h : {.2, .1, .05}) measure(k, h, name);
 }
