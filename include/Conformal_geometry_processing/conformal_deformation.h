@@ -73,7 +73,8 @@ Conformal_deformation_options conformal_deformation_options(const Graph_view<Tri
 ///
 /// \param mesh the surface, oriented with normals outward; its points are overwritten
 /// \param targets the new positions of vertices. A region follows its motion in the mean: its
-/// centre and the ends of its axes of inertia do \param np optional named parameters
+/// centre and the ends of its axes of inertia do
+/// \param np optional named parameters
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{vertex_point_map}

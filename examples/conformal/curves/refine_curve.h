@@ -6,7 +6,8 @@
 namespace conformal {
 
 /// \brief Divides edges into equal parts until none is longer than 1 / count of the whole curve,
-/// because edges remain straight. \pre count > 0
+/// because edges remain straight.
+/// \pre count > 0
 void refine(Plane_curve& curve, int count);
 
 }  // namespace conformal

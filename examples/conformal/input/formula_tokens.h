@@ -22,7 +22,8 @@ Formula_tokens formula_tokens(std::string_view text);
 
 std::string formula_of(const Formula_tokens& tokens);
 
-/// the token that closes the parenthesis, or the number of tokens \pre `tokens[opening]` opens one
+/// the token that closes the parenthesis, or the number of tokens
+/// \pre `tokens[opening]` opens one
 std::size_t closing_of(const Formula_tokens& tokens, std::size_t opening);
 
 }  // namespace conformal

@@ -10,7 +10,8 @@ namespace conformal {
 ///
 /// Reads version 1 (memory.limit_in_bytes) and version 2 (memory.max). A container may see its own
 /// group as the root of the tree, whatever path /proc tells: files that are not there have no
-/// limit. \param root of the file system
+/// limit.
+/// \param root of the file system
 double memory_of_control_groups(const std::string& root = "");
 
 /// \brief the memory, in bytes, that this process may take in the end: that of the machine, or less

@@ -18,7 +18,8 @@ inline bool is_same_row(const Corner_values& values, int i, int j)
          values.values[static_cast<std::size_t>(i)] == values.values[static_cast<std::size_t>(j)];
 }
 
-/// Adds the row (1 - s) times row i plus s times row j. \returns its number, -1 if either is
+/// Adds the row (1 - s) times row i plus s times row j.
+/// \returns its number, -1 if either is
 /// missing
 inline int append_between(Corner_values& values, int i, int j, double s)
 {

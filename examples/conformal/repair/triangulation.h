@@ -24,7 +24,8 @@ struct Triangulation {
 Triangulation triangulate(const Surface_file& file);
 
 /// Likewise for one polygon, given by the places of its corners among those of the file, which may
-/// be joined to holes by bridges. \returns places
+/// be joined to holes by bridges.
+/// \returns places
 std::vector<std::array<std::size_t, 3>> triangles_of(const Surface_file& file,
                                                      const std::vector<std::size_t>& places);
 

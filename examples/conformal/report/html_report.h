@@ -12,7 +12,9 @@ namespace conformal {
 /// It contains the report and, of the exhibit, each in its own frame: `before` and
 /// `after` (float32, 3 per vertex), `faces` (uint32, 3 per face), `quality` (float32, Q of each
 /// face), `squares` (float32, 2 per corner), `rho` (float32, of each face, or nothing), in base64
-/// and little endian. \param json the report \pre `why_no_html_reports()` is empty
+/// and little endian.
+/// \param json the report
+/// \pre `why_no_html_reports()` is empty
 std::string html_report(const Exhibit& exhibit, const std::string& json);
 
 /// why this program cannot write such pages, and how to build one that can; empty if it can

@@ -41,7 +41,8 @@ class Studio_surface {
   ///
   /// If it `continues`, the search starts from the last surface with the same points, which is
   /// faster, and finds the surface of `conformal deform` up to about 1 % of the change of
-  /// curvature. \param bound as for `transform()`
+  /// curvature.
+  /// \param bound as for `transform()`
   void deform(const std::vector<CGP::internal::Control_point>& points, double bound,
               bool continues);
 

@@ -33,7 +33,8 @@ class Shortest_paths {
   /// whether a path begins with edge k
   bool has(int k) const;
 
-  /// The vertex with the longest path, the first of several \pre there is a root
+  /// The vertex with the longest path, the first of several
+  /// \pre there is a root
   int farthest_vertex();
 
   /// Adds the edges from v to its root, up to those that are there.

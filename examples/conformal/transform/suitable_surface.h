@@ -13,7 +13,8 @@ namespace conformal {
 /// \brief Reads the input surface of a command, with or without a boundary, and adds it to the
 /// report.
 /// \throws Read_error; Failure for unsuitable surfaces, or with `--advanced strict` for repaired
-/// ones \param flat_faces whether it may have faces of area zero
+/// ones
+/// \param flat_faces whether it may have faces of area zero
 Surface_input read_suitable_surface(const std::string& path, Session& session,
                                     Flat_faces flat_faces = Flat_faces::refused);
 

@@ -46,7 +46,9 @@ class Graph_view {
   /// \param mesh is only read, and not stored
   /// \param points a readable map from vertices to points
   /// \param traits a model of `ConformalGeometryTraits_3`, which accesses the coordinates of a
-  /// point \param function named in the exception \throw Precondition_error if a face is not a
+  /// point
+  /// \param function named in the exception
+  /// \throw Precondition_error if a face is not a
   /// triangle
   template <class VertexPointMap, class GeomTraits>
   Graph_view(const TriangleMesh& mesh, VertexPointMap points, const GeomTraits& traits,

@@ -84,7 +84,8 @@ Curvature_potential read_curvature_potential(const Graph_view<TriangleMesh>& gra
 }
 
 /// \brief the index of a vertex in the view. Only compares descriptors, because what is no vertex
-/// of the mesh has no entry in a property map. \param k the target that is for it, named in the
+/// of the mesh has no entry in a property map.
+/// \param k the target that is for it, named in the
 /// exception
 template <class TriangleMesh, class Vertex>
 int index_of(const Graph_view<TriangleMesh>& graph, const Vertex& vertex, std::size_t k,

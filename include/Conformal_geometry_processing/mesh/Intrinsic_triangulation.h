@@ -35,7 +35,8 @@ struct Mollified_lengths {
 /// Then no triangle is degenerate, even if points are collinear or coincide. The lengths of a mesh
 /// without degenerate triangles are unchanged to the bit. A triangle of three collinear points gets
 /// a height of about the square root of `share` times its length, two coinciding points a distance
-/// of `share`. \param share positive; below about 1e-12, rounding determines the shape of triangles
+/// of `share`.
+/// \param share positive; below about 1e-12, rounding determines the shape of triangles
 internal::Mollified_lengths mollified_lengths(const Mesh_view& mesh, double share);
 
 namespace internal {

@@ -65,8 +65,10 @@ Values band_of(const Values& values, const Values& high, Curvature_band band, do
 /// \brief Returns G * g, a Gaussian blur: every pixel becomes a weighted mean of its neighbours.
 ///
 /// At the border the weights are normalized over the existing pixels, so constant images are
-/// preserved. O(pixels x radius). \param radius the standard deviation in pixels; 0 changes
-/// nothing \throw Precondition_error if it is negative, not finite, or more than a million
+/// preserved. O(pixels x radius).
+/// \param radius the standard deviation in pixels; 0 changes
+/// nothing
+/// \throw Precondition_error if it is negative, not finite, or more than a million
 Gray_image blurred(const Gray_image& image, double radius);
 
 /// \ingroup PkgPainting

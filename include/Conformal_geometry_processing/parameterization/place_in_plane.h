@@ -16,7 +16,9 @@ Points in_space(const Eigen::VectorXcd& z);
 /// \ingroup PkgParameterization
 /// \brief Applies the similarity to a map such that the sum of the areas of its faces is the area
 /// of the surface, the mean of the loop is the origin, and the first vertex of the loop is on the
-/// positive real axis. \param z |V| \param loop some vertices, at least one
+/// positive real axis.
+/// \param z |V|
+/// \param loop some vertices, at least one
 Eigen::VectorXcd place_in_plane(const Mesh_view& mesh, Eigen::VectorXcd z,
                                 const std::vector<int>& loop);
 

@@ -41,7 +41,8 @@ class Shape_motions {
   /// 3k less the dimension of the motions of the points by similarities
   Eigen::Index size() const { return m_qr.rows() - m_qr.rank(); }
 
-  /// Z^T v, its last `size` components \param v 3k
+  /// Z^T v, its last `size` components
+  /// \param v 3k
   Eigen::VectorXd coordinates(const Eigen::VectorXd& v, Eigen::Index size) const;
 
   /// Z y, the transpose
@@ -109,7 +110,8 @@ class Position_residual : public Spin_residual {
   /// the points of the surface with these edge vectors, |E| x 3
   Points points_of(const Eigen::MatrixX3d& edges) const;
 
-  /// the transpose \param forces 3 x number of points
+  /// the transpose
+  /// \param forces 3 x number of points
   Eigen::MatrixX3d edge_forces(const Points& forces) const;
 
   Surface_ref m_surface;

@@ -93,7 +93,8 @@ class Relaxed_positions {
   Eigen::VectorXd anchor_masses() const;
   Relaxed_scales_options completed(Relaxed_scales_options options);
 
-  /// adapts the weights of what has to vanish \returns whether it does
+  /// adapts the weights of what has to vanish
+  /// \returns whether it does
   bool adapt();
 
   Transformation& m_transformation;

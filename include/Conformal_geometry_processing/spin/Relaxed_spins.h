@@ -160,7 +160,8 @@ class Relaxed_spins {
   /// takes the derivatives of the residuals here, and factors X where its factor is too old
   void linearize();
 
-  /// the least-squares step. \pre `linearize()` was called last
+  /// the least-squares step.
+  /// \pre `linearize()` was called last
   Step step(const Unknown& unknown = {}, const std::function<bool()>& go_further = {});
 
   /// \brief takes a step, or a part of it: never one that makes the sum larger, or brings a spin

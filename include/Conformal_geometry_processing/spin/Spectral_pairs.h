@@ -43,7 +43,8 @@ double needed_reach(const Spectral_pairs& pairs, Eigen::Index count);
 ///
 /// An eigenvalue s + g that is missing has g^2 + delta^2 >= `reach`, or comes later in the list.
 /// Its delta is taken to be at most sqrt(2) of the largest of the pairs nearer to the shift. Zero
-/// if nothing is certain, and infinite if the pairs are all there are. \pre nearest first
+/// if nothing is certain, and infinite if the pairs are all there are.
+/// \pre nearest first
 double complete_radius(const Spectral_pairs& pairs, Eigen::Index count);
 
 /// \ingroup PkgSpin

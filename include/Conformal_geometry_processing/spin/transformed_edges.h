@@ -43,7 +43,8 @@ Eigen::MatrixX3d edge_change(const Surface_ref& surface, const Quaternion_vector
 
 /// \ingroup PkgSpin
 /// \brief the transpose: the gradient q of the sum of <y_k, e~_k> over the edges, |V|: its change
-/// is Re <q, dlambda>. \param y |E| x 3
+/// is Re <q, dlambda>.
+/// \param y |E| x 3
 Quaternion_vector<double> edge_gradient(const Surface_ref& surface,
                                         const Quaternion_vector<double>& lambda,
                                         const Eigen::MatrixX3d& y);

@@ -19,7 +19,8 @@ namespace internal {
 /// and the columns of C are D-orthonormal.
 ///
 /// If C contains the constants, the form measures the variance of x, independently of its mean.
-/// Positive semidefinite. \tparam Scalar_ `double` or `std::complex<double>`
+/// Positive semidefinite.
+/// \tparam Scalar_ `double` or `std::complex<double>`
 template <class Scalar_>
 class Centered_mass {
  public:

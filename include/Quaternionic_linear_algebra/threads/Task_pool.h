@@ -36,7 +36,8 @@ class Task_pool {
   void push(int task);
 
   /// \brief Calls `visit(i)` for 0 <= i < count, on this thread and idle ones; to be called by an
-  /// action. \throw the exceptions of `visit`
+  /// action.
+  /// \throw the exceptions of `visit`
   template <class Visitor>
   void for_each(int count, const Visitor& visit)
   {

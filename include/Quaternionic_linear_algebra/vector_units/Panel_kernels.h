@@ -96,7 +96,8 @@ class Panel_kernels {
 
   /// \brief Replaces the panel A = (A11; A21) by L11 with A11 = L11 L11^H and L21 = A21 L11^-H.
   /// \param row_blocks of the panel; if only those of the triangle, `solve_below()` computes the
-  /// rest \returns the first column whose pivot is not positive, -1 if all are
+  /// rest
+  /// \returns the first column whose pivot is not positive, -1 if all are
   static int factor_panel(Real* panel, int columns, int row_blocks)
   {
     for (int j = 0; j < columns; j += group) {

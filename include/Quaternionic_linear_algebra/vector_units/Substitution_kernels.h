@@ -14,7 +14,8 @@ namespace Conformal_geometry_processing::internal {
 /// right-hand sides, for scalars of `planes` real components.
 ///
 /// A row block of the right-hand sides is stored [number][lane], like the accumulators, a row
-/// [number]. \tparam numbers per row: components of all right-hand sides
+/// [number].
+/// \tparam numbers per row: components of all right-hand sides
 template <class Unit, class Real, int planes, int numbers>
 class Row_block_kernels {
   using Planes = Plane_products<planes>;
