@@ -60,7 +60,7 @@ std::vector<Cone> given_cones(const Surface_input& input, const Mesh_component& 
   return found;
 }
 
-/// Where a closed component is cut, and what becomes of its metric
+/// The cuts of a closed component, and the metric that it gets
 class Opening {
  public:
   Opening(const Surface_input& input, const Mesh_component& component, const Cut_options& options)
