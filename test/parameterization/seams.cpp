@@ -1,4 +1,6 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#include <Conformal_geometry_processing/mesh/normals.h>
+#include <Conformal_geometry_processing/operators/cotan_laplacian.h>
 #include <Conformal_geometry_processing/parameterization/conformal_energy.h>
 #include <Conformal_geometry_processing/parameterization/seams.h>
 #include <Conformal_geometry_processing/parameterization/spectral_parameterization.h>
@@ -6,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "flat_maps.h"
+#include "support/decompositions.h"
 #include "support/dense.h"
 #include "support/mesh_tools.h"
 
@@ -62,6 +65,35 @@ TEST(Seams, of_a_flat_cone_are_turned_by_its_angle)
                 1e-12);
     }
   }
+}
+
+// Where u takes the curvature off, L u = -K, a seam goes on without a turn.
+TEST(Seams, are_turned_alike_where_the_metric_is_flat)
+{
+  const int rings = 6, parts = 20;
+  const Sector cone = sector(4, rings, parts);
+  const Mesh_view bent = mapped(cone.mesh, [](const Eigen::Vector3d& p) {
+    return Eigen::Vector3d(p.x(), p.y(), .4 * p.norm() * p.norm());
+  });
+  const int n = bent.size_of_vertices(), last = n - (parts + 1);
+  const Eigen::MatrixXd of_disk = dense(CGP::cotan_laplacian(bent));
+  Eigen::MatrixXd L = Eigen::MatrixXd::Zero(n, n);
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j) L(cone.origin[at(i)], cone.origin[at(j)]) += of_disk(i, j);
+  Eigen::VectorXd K = Eigen::VectorXd::Constant(n, 2 * std::acos(-1.));
+  for (int f = 0; f < bent.size_of_faces(); ++f)
+    for (int c = 0; c < 3; ++c)
+      K[cone.origin[at(bent.corners(f)[at(c)])]] -= CGP::corner_angle(bent.sheet(f), c);
+  std::vector<int> inside;
+  for (int v = 1; v < last; ++v)
+    if (cone.origin[at(v)] == v) inside.push_back(v);
+  Eigen::VectorXd u = Eigen::VectorXd::Zero(n);
+  u(inside) = definite_solution(L(inside, inside), -K(inside));
+  for (int v = 0; v < n; ++v) u[v] = u[cone.origin[at(v)]];
+  const std::vector<Seam> seams = CGP::internal::seams_of(bent, cone.origin, u);
+  ASSERT_EQ(seams.size(), 6u);
+  EXPECT_GT(K(inside).lpNorm<Eigen::Infinity>(), .01);
+  for (const Seam& seam : seams) EXPECT_LT(std::abs(seam.rotation - seams.front().rotation), 1e-12);
 }
 
 // The energy of springs is zero for maps that obey them, and counts the squares of what others

@@ -74,8 +74,8 @@ class Conformal_deformation {
   ///
   /// The report contains the share of the way (`reached`), the number of `steps`, and the distances
   /// from the targets (`position_error`). If it was cancelled, there are no positions.
-  /// \param points with targets in the unit of the mesh
   /// With other parts of the region than in the last call, it begins anew.
+  /// \param points with targets in the unit of the mesh
   /// \throw as the constructor of `Spin_transformation`, for the region if there is one, and of
   /// `Region_of_interest`; Precondition_error see `require_control_points()`, or all targets are at
   /// one place though the points are not, or a point is not inside of the region, or `go_further`
