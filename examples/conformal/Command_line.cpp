@@ -17,7 +17,8 @@ namespace {
 
 const char* const about =
     "Edits, compares and describes surfaces by their curvature, without shearing them.\n"
-    "Reads and writes PLY, OFF, OBJ, GLB and STL; writes by the extension of the output.\n"
+    "Reads and writes PLY, OFF, OBJ, glTF, GLB, VTK and STL, writes USD; by the extension of the "
+    "output.\n"
     "Vertices and faces keep their order and their properties; numbers in messages count from 0.\n"
     "Example: conformal spin bear.off --rho-expression '1.5*sin(5*y)' -o bear_spin.ply\n"
     "Exit codes: 0 done, 1 failed or not verified, 2 usage, 3 cannot read, 4 input unsuitable,\n"
