@@ -82,7 +82,7 @@ Filled refilled(Mesh mesh, const std::vector<Face>& cut)
   for (const Face f : cut) CGAL::Euler::remove_face(mesh.halfedge(f), mesh);
   std::vector<Mesh::Halfedge_index> holes;
   PMP::extract_boundary_cycles(mesh, std::back_inserter(holes));
-  if (holes.size() != 1) throw std::runtime_error("the hole is no disk, or not the only one");
+  if (holes.size() != 1) throw std::runtime_error("the hole is not a disk, or not the only one");
   CGAL::Bbox_3 box;
   for (const auto h : halfedges_around_face(holes[0], mesh))
     box += mesh.point(mesh.target(h)).bbox();

@@ -141,7 +141,7 @@ class Ldl_solver {
     return {order.indices().data(), order.indices().data() + pattern.size()};
   }
 
-  // The inverse of the order; false if it is no permutation.
+  // The inverse of the order; false if it is not a permutation.
   bool number(const std::vector<int>& order, int n)
   {
     m_new.assign(n, -1);

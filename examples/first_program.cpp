@@ -35,7 +35,7 @@ try {
   const auto report = CGP::spin_transform(mesh, rho);
   std::cout << report;  // the certificate
   return report && CGAL::IO::write_polygon_mesh(argv[2], mesh) ? 0 : 1;
-} catch (const std::exception& error) {  // names the first face that is no triangle, ...
+} catch (const std::exception& error) {  // names the first face that is not a triangle, ...
   std::cerr << error.what() << '\n';
   return 1;
 }

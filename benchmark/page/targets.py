@@ -101,7 +101,7 @@ def later_step(model, value):
 
 
 def of_strength(amplitudes, value, table="strength"):
-    """Where an edit of such a strength comes out: what is refused is no answer."""
+    """Where an edit of such a strength comes out: what is refused is not an answer."""
     return lambda m: [(f"{row['mesh']}, {row['model']}", value(row))
                       for row in m.measured(table)
                       if row["amplitude"] in amplitudes and row["fault"] == "none"]

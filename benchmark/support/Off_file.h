@@ -48,7 +48,7 @@ inline CGP::Mesh_view read_off(const std::string& path)
   for (auto& face : corners) {
     int degree = 0;
     words >> degree >> face[0] >> face[1] >> face[2];
-    if (!words || degree != 3) throw std::runtime_error(path + " is no triangle mesh");
+    if (!words || degree != 3) throw std::runtime_error(path + " is not a triangle mesh");
   }
   return without_stray_vertices(points, std::move(corners));
 }

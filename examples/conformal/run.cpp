@@ -79,8 +79,8 @@ void run_with_name(const Command& command, Session& session)
   }
 }
 
-// A reader such as `head` that ends early has had what it wanted, and that is no error; the rest
-// goes nowhere.
+// A reader such as `head` that ends early has had what it wanted, and that is not an error; the
+// rest goes nowhere.
 void print(const std::string& text)
 {
   errno = 0;

@@ -68,7 +68,7 @@ export class Surface {
   }
 
   flow(steps = 1) {
-    require(Number.isInteger(steps) && steps > 0, `flow: ${steps} is no number of steps`);
+    require(Number.isInteger(steps) && steps > 0, `flow: ${steps} is not a number of steps`);
     let result = this.#open.flow();
     for (let i = 1; i < steps && !result.report.result.converged && result.report.verified; ++i)
       result = this.#open.flow();

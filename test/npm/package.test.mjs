@@ -130,7 +130,7 @@ test('the Willmore flow makes an ellipsoid round', async () => {
   assert.ok(initial > 1.05 * final && Math.abs(final / (4 * Math.PI) - 1) < .02, `${initial} -> ${final}`);
 });
 
-test('what is no surface is refused in words', async () => {
+test('what is not a surface is refused in words', async () => {
   const {points, triangles} = sphere(1), zero = new Float64Array(points.length);
   const refused = (message, ...call) => assert.rejects(spinTransform(...call), error =>
       error instanceof Refusal && message.test(error.message));

@@ -112,7 +112,7 @@ TEST_F(Blend, tells_where_surfaces_are_not_conformally_equivalent)
   write("s.off", off({stretched, m_a.corners()}));
   const Program_run r = run("blend a.off s.off --t 0.5 -o c.ply --json c.json");
   ASSERT_EQ(r.code, 0) << r.err;
-  EXPECT_NE(r.err.find("s.off is no conformal image of a.off"), std::string::npos);
+  EXPECT_NE(r.err.find("s.off is not a conformal image of a.off"), std::string::npos);
   EXPECT_GT(json("c.json")["result"]["pair"]["quasi_conformal"]["mean"], 1.25);
 }
 

@@ -22,7 +22,7 @@ using conformal::Common_options;
 using conformal::Progress;
 using conformal::Progress_choice;
 
-/// what is told on stderr, which is no terminal, while a clock is set
+/// what is told on stderr, which is not a terminal, while a clock is set
 class Progress_in_a_pipe : public ::testing::Test {
  protected:
   std::string told(const std::function<void(Progress&)>& work)

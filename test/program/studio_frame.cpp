@@ -64,7 +64,7 @@ TEST_F(Studio_frame, refuses_a_page_that_is_none)
   for (const std::string& other : wrong) {
     write("old.html", other);
     EXPECT_TRUE(fails(run("studio a.off -o page.html --advanced page=old.html"), 3,
-                      "old.html: is no page of the studio"))
+                      "old.html: is not a page of the studio"))
         << other;
   }
   EXPECT_TRUE(fails(run("studio a.off -o page.html --advanced page=none.html"), 3, "none.html"));

@@ -37,7 +37,7 @@ def test_targets_are_met(mesh):
 def test_the_surface_is_near_that_of_its_rho():
     V, F = icosphere(2)
     result = cg.deform(V, F, one_moved(V, [.1, .1, 0]))
-    assert result.report.is_relaxed  # its spins are no eigenvector
+    assert result.report.is_relaxed  # its spins are not an eigenvector
     again = cg.spin_transform(V, F, result.rho, on="vertices", max_scale=None)
     assert cg.quasi_conformal_errors(result.positions, F, again.positions).mean() < 1.05
     lengths = [np.linalg.norm(p[F[:, 0]] - p[F[:, 1]], axis=1)

@@ -277,7 +277,7 @@ TEST_F(Two_branches_that_cross, have_the_least_gap_where_they_cross)
   const Branch_point before = follow_branch(gram, first, .25, .9),
                      after = follow_branch(gram, first, 1, .9);
   EXPECT_NEAR(before.least_gap, 1, .1);
-  EXPECT_LT(after.least_gap, .4);  // the error of the normal, which is no eigenvector exactly
+  EXPECT_LT(after.least_gap, .4);  // the error of the normal, which is not an eigenvector exactly
   EXPECT_NEAR(after.gap, 2, .1);
 }
 

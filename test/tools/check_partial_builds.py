@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 """Builds of some commands are configured with every other option as it is, and cannot be installed;
-names that are no commands are refused.
+names that are not commands are refused.
 
 usage: check_partial_builds.py GENERATOR
 """

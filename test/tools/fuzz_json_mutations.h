@@ -18,7 +18,7 @@ namespace fuzz {
 
 using Json = nlohmann::json;
 
-/// a value inside of a document that is no scalar, at any depth: its parent and key
+/// a value inside of a document that is not a scalar, at any depth: its parent and key
 inline Json& random_container(Json& document, Mutator& mutator)
 {
   Json* at = &document;

@@ -31,7 +31,7 @@ inline void require_sound(const conformal::Surface_file& file)
   require(file.polygons.size() == file.faces.size, "properties of other faces");
   for (const int corner : file.polygons.corners)
     require(corner >= 0 && static_cast<std::size_t>(corner) < file.points.size(),
-            "a corner is no vertex");
+            "a corner is not a vertex");
 }
 
 // Every writer accepts the file, and PLY preserves it.

@@ -123,7 +123,7 @@ void note_unlike(const CGP::Mesh_view& a, const CGP::Mesh_view& b, const Blend_o
   session.report().set("result/pair/quasi_conformal/mean", Q);
   const double of_coarse_meshes = 1.25;
   if (!(Q <= of_coarse_meshes))
-    session.note(options.other + " is no conformal image of " + options.spin.input +
+    session.note(options.other + " is not a conformal image of " + options.spin.input +
                  " (mean quasi-conformal error " + text_of(Q, 3) +
                  "): the way does not lead there, but to what has its curvature");
 }

@@ -53,7 +53,7 @@ Cone cone_of(const std::string& word)
   const bool has_angle = angle && *angle > 0 && std::isfinite(*angle);
   const bool is_vertex = vertex && *vertex >= 0 && *vertex <= std::numeric_limits<int>::max();
   if (!is_vertex || (colon != std::string::npos && !has_angle))
-    throw CLI::ValidationError("--cones", in_quotes(word) + " is no vertex, wanted 7 or 7:90");
+    throw CLI::ValidationError("--cones", in_quotes(word) + " is not a vertex, wanted 7 or 7:90");
   Cone cone{static_cast<int>(*vertex)};
   if (has_angle) cone.defect = 2 * std::acos(-1.) - *angle * std::acos(-1.) / 180;
   return cone;

@@ -19,7 +19,7 @@ CLI::App& advanced(CLI::App& command);
 /// what the result is judged by
 CLI::App& limit(CLI::App& command);
 
-/// How something that is no option of the command is given, as `--limit closure=VALUE` for
+/// How something that is not an option of the command is given, as `--limit closure=VALUE` for
 /// `max-closure`, which it was once; empty if not at all.
 std::string keyed_option(const CLI::App& command, const std::string& name);
 

@@ -40,7 +40,7 @@ void add_repair(CLI::App& command, Common_options& common)
   command.add_flag(
       "--repair", common.repair,
       "first merge coincident points, remove degenerate and repeated faces, mend those "
-      "of area zero, and cut where the surface is no manifold; new numbers are in the "
+      "of area zero, and cut where the surface is not a manifold; new numbers are in the "
       "JSON report");
 }
 

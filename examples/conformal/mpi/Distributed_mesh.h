@@ -22,8 +22,8 @@ class Distributed_mesh {
  public:
   /// \brief Reads the file in parts and divides the surface by its graph (PT-Scotch), such that few
   /// edges run between processes. Collective.
-  /// \throws Failure if the surface is no connected manifold without handles, with one boundary or
-  /// none
+  /// \throws Failure if the surface is not a connected manifold without handles, with one boundary
+  /// or none
   explicit Distributed_mesh(const Ply_ranges& file);
 
   const CGP::Mesh_view& mesh() const { return m_mesh; }

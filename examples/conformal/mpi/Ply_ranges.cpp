@@ -160,13 +160,13 @@ std::vector<std::array<int, 3>> Ply_ranges::corners(int first, int last) const
   all.reserve(static_cast<std::size_t>(last - first));
   for_each_row(m_face, first, last, [&](int f, const std::byte* row) {
     if (std::to_integer<int>(row[m_corners]) != 3)
-      refuse("face " + std::to_string(f) + " is no triangle");
+      refuse("face " + std::to_string(f) + " is not a triangle");
     std::array<int, 3> corners;
     std::memcpy(corners.data(), row + m_corners + 1, sizeof corners);
     for (const int v : corners)
       if (v < 0 || v >= vertices())
         throw unsuitable(m_path, "face " + std::to_string(f) + " has a corner " +
-                                     std::to_string(v) + ", which is no vertex");
+                                     std::to_string(v) + ", which is not a vertex");
     all.push_back(corners);
   });
   return all;

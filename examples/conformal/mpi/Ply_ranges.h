@@ -36,7 +36,7 @@ class Ply_ranges {
   /// \throws Read_error; Failure if a coordinate is not finite
   CGP::Points positions(int first, int last) const;
 
-  /// \throws Read_error; Failure if a face is no triangle, or has a corner that is no vertex
+  /// \throws Read_error; Failure if a face is not a triangle, or has a corner that is not a vertex
   std::vector<std::array<int, 3>> corners(int first, int last) const;
 
   /// what `write()` leaves out: elements but vertices and faces, and normals

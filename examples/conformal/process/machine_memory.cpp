@@ -14,7 +14,7 @@ namespace {
 
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 
-/// the number in a file; what is no number, such as "max", is no limit
+/// the number in a file; what is not a number, such as "max", is no limit
 double limit_in(const std::string& file)
 {
   std::ifstream in(file);

@@ -5,7 +5,7 @@
 
 namespace conformal {
 
-/// \brief Keeps the line on stderr that tells how far the work is, where stderr is no terminal.
+/// \brief Keeps the line on stderr that tells how far the work is, where stderr is not a terminal.
 ///
 /// A signal handler writes it every ten seconds, also while a factorization takes longer, which
 /// has no callback.

@@ -37,7 +37,7 @@ void require_page_name(const std::string& path)
 {
   const std::string extension = std::filesystem::path(path).extension().string();
   if (extension != ".html" && extension != ".htm")
-    throw Write_error(path, "is no name for an HTML report, wanted .html");
+    throw Write_error(path, "is not a name for an HTML report, wanted .html");
 }
 
 }  // namespace conformal

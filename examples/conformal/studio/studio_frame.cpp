@@ -23,7 +23,7 @@ const std::string data_end = "\n<script type=\"text/plain\" id=\"three\">";
 
 Read_error no_page(const std::string& path)
 {
-  return {path, 0, "is no page of the studio, wanted one that `conformal studio` has written"};
+  return {path, 0, "is not a page of the studio, wanted one that `conformal studio` has written"};
 }
 
 std::string version_in(const std::string& json, const std::string& path)

@@ -33,7 +33,7 @@ struct Cut_surface {
 };
 
 /// \brief Cuts closed components to disks, along the edges of the file; see `cut_graph()`.
-/// \throws Failure if a cone is no vertex of a closed component, or alone on a sphere, or if the
+/// \throws Failure if a cone is not a vertex of a closed component, or alone on a sphere, or if the
 /// angles of cones do not fit the surface
 Cut_surface cut_open(const Surface_input& input, const Cut_options& options);
 

@@ -18,7 +18,7 @@
 namespace conformal {
 namespace {
 
-/// \brief Where no conformal surface has prescribed positions, which is no fault: it gives way.
+/// \brief Where no conformal surface has prescribed positions, which is not a fault: it gives way.
 ///
 /// With positions that one has, the closure residual is at most a quarter of the edge length by the
 /// radius.

@@ -83,8 +83,8 @@ Curvature_potential read_curvature_potential(const Graph_view<TriangleMesh>& gra
           std::move(values)};
 }
 
-/// \brief the index of a vertex in the view. Only compares descriptors, because what is no vertex
-/// of the mesh has no entry in a property map.
+/// \brief the index of a vertex in the view. Only compares descriptors, because what is not a
+/// vertex of the mesh has no entry in a property map.
 /// \param k the target that is for it, named in the
 /// exception
 template <class TriangleMesh, class Vertex>

@@ -63,7 +63,7 @@ struct [[nodiscard]] Curve_flow_report {
 bool append(Curve_flow_report& report, const Curve_step_report& step);
 
 /// \relates Curve_flow_report
-/// Writes the numbers of a flow, one fact per line, and why it is no success, if it is none
+/// Writes the numbers of a flow, one fact per line, and why it is not a success, if it is none
 std::ostream& operator<<(std::ostream& out, const Curve_flow_report& r);
 
 }  // namespace Conformal_geometry_processing

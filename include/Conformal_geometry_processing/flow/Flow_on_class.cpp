@@ -155,7 +155,7 @@ void Conformal_willmore_flow::settle_for_fairing(Flow_step_report& report)
   ++m_steps;
 }
 
-// That a step has not realised its rho is no fault of a surface that is in the class and has the
+// That a step has not realised its rho is not a fault of a surface that is in the class and has the
 // directions.
 void Conformal_willmore_flow::judge_boundary(Spin_report& report) const
 {

@@ -54,7 +54,7 @@ bool append(Flow_report& report, Flow_step_report step)
 
 namespace internal {
 
-/// the first reason why a flow is no success, as its conversion to `bool` judges
+/// the first reason why a flow is not a success, as its conversion to `bool` judges
 const char* fault_of(const Flow_report& r)
 {
   if (!r.is_complete()) return to_string(r.stop);

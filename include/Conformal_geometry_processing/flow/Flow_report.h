@@ -135,7 +135,7 @@ struct [[nodiscard]] Flow_report {
 bool append(Flow_report& report, Flow_step_report step);
 
 /// \relates Flow_report
-/// writes the numbers of a flow, one fact per line, and why it is no success, if it is none
+/// writes the numbers of a flow, one fact per line, and why it is not a success, if it is none
 std::ostream& operator<<(std::ostream& out, const Flow_report& r);
 
 /// \ingroup PkgFlow

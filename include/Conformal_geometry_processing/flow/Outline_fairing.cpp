@@ -46,7 +46,7 @@ internal::Outline_fairing::Outline_fairing(const Fairing_patch& patch)
   m_harmonic.factorize(m_laplacian);
 }
 
-// A surface too degenerate for a factor is no start.
+// A surface too degenerate for a factor is not a start.
 void internal::Outline_fairing::offer(const Points& f)
 {
   try {

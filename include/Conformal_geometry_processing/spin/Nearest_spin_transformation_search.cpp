@@ -75,7 +75,7 @@ Nearest_spin_result Nearest_spin_transformation::searched(Nearest_spin_result st
     return m_mismatch.sum(r.distance, r.normal_distance);
   };
   const double last_weight = 2e7, least_factor = 1.3, much_worse = 1.3, shear = .05;
-  // A bound shears, which is no measure of what the mesh leaves.
+  // A bound shears, which is not a measure of what the mesh leaves.
   const double of_mesh = m_options.surface.scales.bound ? 0 : start.report.closure_residual;
   const double most_sheared =
       m_options.shear.value_or(m_options.normal_weight == 0 ? start.report.limits.closure

@@ -62,7 +62,7 @@ Spin_residuals Relaxed_positions::residuals()
   return all;
 }
 
-// Under the one similarity of all points, those that are no anchors are firm.
+// Under the one similarity of all points, those that are not anchors are firm.
 Eigen::VectorXd Relaxed_positions::anchor_masses() const
 {
   const double firmness = 10;

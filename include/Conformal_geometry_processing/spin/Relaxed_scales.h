@@ -93,7 +93,7 @@ class Relaxed_scales {
   /// goes on from another state, which may be that of other residuals
   void restart(const State& state);
 
-  /// the solution, which is no eigenvector, and its costs since the object exists, or
+  /// the solution, which is not an eigenvector, and its costs since the object exists, or
   /// `reset_costs()`
   Dirac_solution solution() const;
 

@@ -81,10 +81,11 @@ Spin_transformation_options options_of_blends(const Mesh_view& mesh, const Point
   return options;
 }
 
-/// \brief rho changed so that transformations by it arrive: the spins of a fit are no eigenvector
-/// of its rho. The difference of curvature misses a surface by O(h^2), and corrections by as much
-/// of themselves, so that each of the few is far smaller than the last one; but on nearly round
-/// spheres these do not see the inversions of space, which hardly change curvature there.
+/// \brief rho changed so that transformations by it arrive: the spins of a fit are not an
+/// eigenvector of its rho. The difference of curvature misses a surface by O(h^2), and corrections
+/// by as much of themselves, so that each of the few is far smaller than the last one; but on
+/// nearly round spheres these do not see the inversions of space, which hardly change curvature
+/// there.
 Curvature_potential corrected(const Mesh_view& mesh, Curvature_potential rho, const Points& wanted,
                               double tolerance, const Dirac_options& options,
                               const Go_further& go_further)

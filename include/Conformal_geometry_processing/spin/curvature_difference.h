@@ -53,7 +53,7 @@ Points turned_binormals(const Mesh_view& from, const Mesh_view& to, const Mesh_v
 /// mesh, or none has these binormals, the plain difference is returned; also if the search is
 /// cancelled.
 ///
-/// The spins of that search are no eigenvector, so its rho is corrected by the differences of
+/// The spins of that search are not an eigenvector, so its rho is corrected by the differences of
 /// curvature that a few transformations by it leave.
 ///
 /// Costs what these cost: three to ten factorizations, and some hundred solves.

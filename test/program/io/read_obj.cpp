@@ -101,7 +101,7 @@ TEST(Read_obj, leaves_out_weights_and_values_that_are_no_colours)
     return parse_obj("v 0 0 0 1\nv 1 0 0" + more + "\nv 0 1 0\nf 1 2 3\n", "a.obj").notes;
   };
   const std::vector<std::string> left_out = {
-      "left out: values of vertices that are no colours (1, first: line 2)"};
+      "left out: values of vertices that are not colours (1, first: line 2)"};
   EXPECT_TRUE(notes(" 1.0").empty());
   for (const char* more : {" 0.5", " nan", " 1 1", " x", " 1 x 3"})
     EXPECT_EQ(notes(more), left_out) << more;

@@ -176,13 +176,13 @@ TEST(Read_off, leaves_out_attributes_that_not_all_vertices_have_or_that_are_none
   EXPECT_EQ(notes_of("OFF", {" 1 2 3", "", " 1 2 3", ""}), left_out(colors + "1, first: line 4"));
   EXPECT_EQ(notes_of("OFF", {" 1 2 3", " 1 2 3 4", " 1 2 3 4", ""}),
             left_out(colors + "2, first: line 4"));
-  const std::string none = "values of vertices that are no colours (";
+  const std::string none = "values of vertices that are not colours (";
   EXPECT_EQ(notes_of("OFF", {" 1", " 1 2", " 1 2 3 4 5", ""}), left_out(none + "3, first: line 3"));
   EXPECT_EQ(notes_of("OFF", {"", "", " 1 red 2", ""}), left_out(none + "1, first: line 5"));
   EXPECT_EQ(notes_of("STOFF", {" 1 0", " 1", " 1 1", ""}),
             left_out("texture coordinates, which not all vertices have (1, first: line 4"));
   EXPECT_EQ(notes_of("OFF", {"", "", "", " red"}),
-            left_out("values of faces that are no colours (1, first: line 6"));
+            left_out("values of faces that are not colours (1, first: line 6"));
 }
 
 }  // namespace cgp_test::read_off_tests

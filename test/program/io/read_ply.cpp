@@ -175,7 +175,7 @@ TEST(Read_ply, refuses_bad_headers_with_their_line)
   EXPECT_EQ(refusal(ascii + vertex3 + "property half w\n"),
             "a.ply:7: the type 'half', wanted char, uchar, ..., float or double");
   EXPECT_EQ(refusal(ascii + vertex3 + "property list float int w\n"),
-            "a.ply:7: the length of a list is no integer, wanted uchar or the like");
+            "a.ply:7: the length of a list is not an integer, wanted uchar or the like");
   EXPECT_EQ(refusal(ascii + vertex3 + "property float w w\n"),
             "a.ply:7: 'w' ends the line, wanted nothing there");
   EXPECT_EQ(refusal(ascii + "element vertex\n"),
@@ -192,7 +192,7 @@ TEST(Read_ply, refuses_a_file_without_a_surface)
   EXPECT_EQ(refusal(replaced(triangle, "vertex_indices", "corners")),
             "a.ply: the element face has no list vertex_indices, wanted one");
   EXPECT_EQ(refusal(replaced(triangle, "uchar int", "uchar float")),
-            "a.ply: the property vertex_indices is no list of integers");
+            "a.ply: the property vertex_indices is not a list of integers");
 }
 
 TEST(Read_ply, refuses_counts_that_the_file_cannot_hold_at_once)

@@ -159,7 +159,7 @@ TEST(Read_svg, leaves_out_definitions_and_notes_other_shapes)
       "a.svg", {}, notes);
   EXPECT_EQ(curves.size(), 1u);
   ASSERT_EQ(notes.size(), 2u);
-  EXPECT_EQ(notes[1], "left out: 2 of the element rect, which is no path, polygon or polyline");
+  EXPECT_EQ(notes[1], "left out: 2 of the element rect, which is not a path, polygon or polyline");
 }
 
 /// where the points (1, 0) and (0, 1) of SVG go, y down

@@ -152,14 +152,14 @@ TEST(Read_vtk, refuses_what_it_cannot_read)
   };
   EXPECT_EQ(refusal(0, "POLYDATA", "STRUCTURED_GRID"),
             "a.vtk:4: holds another dataset than POLYDATA, which is wanted");
-  EXPECT_EQ(refusal(0, "1 1 0 0 1 0", "1 1 x 0 1 0"), "a.vtk:7: 'x' is no number");
+  EXPECT_EQ(refusal(0, "1 1 0 0 1 0", "1 1 x 0 1 0"), "a.vtk:7: 'x' is not a number");
   EXPECT_EQ(refusal(0, "1 1 0 0 1 0", "1 1 inf 0 1 0"),
             "a.vtk:6: a coordinate of point 2 is not finite");
   EXPECT_EQ(refusal(0, "3 0 2 3", "3 0 2 4"),
             "a.vtk:10: polygon 1: a face has the vertex index 4, wanted 0 to 3");
   EXPECT_EQ(refusal(0, "3 0 2 3", "5 0 2 3"),
             "a.vtk:12: polygon 1 has more corners than the table");
-  EXPECT_EQ(refusal(0, "VECTORS", "SPINORS"), "a.vtk:17: 'spinors' is no keyword of VTK");
+  EXPECT_EQ(refusal(0, "VECTORS", "SPINORS"), "a.vtk:17: 'spinors' is not a keyword of VTK");
   EXPECT_EQ(refusal(1, "0 3 7", "0 9 7"), "a.vtk:11: polygon 0: its corners are not in the table");
 }
 
@@ -176,7 +176,7 @@ TEST(Read_vtp, refuses_what_it_cannot_read)
       message_of([&] { (void)parse_vtp(packed, "a.vtp"); }),
       "a.vtp:4: is compressed by z in a way that is not read; try: Compressor Type None where "
       "it is written");
-  EXPECT_EQ(refusal("1 1 0 0 1 0", "1 1 0 0 y 0"), "a.vtp:4: 'y' is no number");
+  EXPECT_EQ(refusal("1 1 0 0 1 0", "1 1 0 0 y 0"), "a.vtp:4: 'y' is not a number");
   EXPECT_EQ(refusal("3 6", "3 7"), "a.vtp: polygon 1: its corners are not in the table");
 }
 

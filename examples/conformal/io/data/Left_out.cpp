@@ -7,7 +7,7 @@ namespace conformal {
 
 void Left_out::add(std::string_view what, const std::string& where)
 {
-  constexpr std::size_t most = 10;  // a file that is no mesh may have any number of kinds
+  constexpr std::size_t most = 10;  // a file that is not a mesh may have any number of kinds
   const auto is_same = [what](const Kind& kind) { return kind.what == what; };
   const auto known = std::find_if(m_kinds.begin(), m_kinds.end(), is_same);
   if (known != m_kinds.end())

@@ -31,7 +31,7 @@ std::string from_base64(std::string_view text)
   std::string bytes;
   bytes.reserve(text.size() / 4 * 3);
   text = text.substr(0, text.find_last_not_of('=') + 1);
-  unsigned bits = 0, count = 0;  // the bits that are no whole byte yet are the lowest `count`
+  unsigned bits = 0, count = 0;  // the bits that make no whole byte yet are the lowest `count`
   for (const char c : text) {
     const std::size_t digit = digits.find(c);
     if (digit == digits.npos) return {};

@@ -14,7 +14,7 @@ bool is_lower(char c)
   return std::islower(static_cast<unsigned char>(c)) != 0;
 }
 
-// Words that need no escapes in JSON, and are no coordinates.
+// Words that need no escapes in JSON, and are not coordinates.
 bool is_word(const std::string& name)
 {
   const auto is_plain = [](char c) { return c > ' ' && c <= '~' && c != '"' && c != '\\'; };

@@ -158,7 +158,7 @@ class Glb_reader {
     if (!name.empty()) m_file.group_lines.push_back({m_file.polygons.size(), keyword + ' ' + name});
   }
 
-  // The checkerboard of our own files is no loss.
+  // The checkerboard of our own files is not a loss.
   void begin_material(std::size_t index)
   {
     const Json& material = m_content.item("materials", index);

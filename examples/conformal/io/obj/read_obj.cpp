@@ -114,7 +114,7 @@ class Obj_reader {
   {
     Point point;
     for (double& x : point) x = m_scanner.line_coordinate("a coordinate");
-    const char* const no_colors = "values of vertices that are no colours";
+    const char* const no_colors = "values of vertices that are not colours";
     std::array<double, 4> extra{};
     std::size_t count = read_values(extra, no_colors);
     if (count == 2 || (count == 1 && extra[0] != 1)) leave_out(no_colors);

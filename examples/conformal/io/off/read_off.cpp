@@ -89,7 +89,7 @@ class Off_reader {
     }
   }
 
-  static constexpr const char* no_colors = "values of vertices that are no colours";
+  static constexpr const char* no_colors = "values of vertices that are not colours";
   static constexpr int comments = Text_scanner::hash_comments | Text_scanner::hash_ends_words;
 
   void read_header(std::string_view bytes, const std::string& path)
@@ -132,7 +132,7 @@ class Off_reader {
     m_left_out.add(what, "line " + std::to_string(m_scanner.line()));
   }
 
-  // A row with a word that is no number counts as empty.
+  // A row with a word that is not a number counts as empty.
   void read_extra(Extra_numbers& extra, const char* what_is_no_color)
   {
     bool all_are_numbers = true;
@@ -208,7 +208,7 @@ class Off_reader {
           fault_of_face(data, data + degree, m_file.points.size(), 0, m_bad_faces);
       if (!fault.empty()) m_scanner.fail_at(line, fault);
       append_face(m_file.polygons, data, data + degree);
-      read_extra(extra, "values of faces that are no colours");
+      read_extra(extra, "values of faces that are not colours");
     }
     if (!store_colors(m_file.faces, extra)) store_list(extra);
   }

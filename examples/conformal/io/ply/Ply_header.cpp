@@ -44,7 +44,7 @@ class Header_reader {
   }
 
   // Each line ends in its own way, since programs that copy headers mix them. After a line that
-  // ends with CR alone, an LF behind CR is no part of the line end: it may be the first of the
+  // ends with CR alone, an LF behind CR is not part of the line end: it may be the first of the
   // data.
   std::string_view next_line()
   {
@@ -126,7 +126,7 @@ class Header_reader {
     if (is_list) words.word("list");
     const Value_type count_type = is_list ? read_type(words) : Value_type::uint8;
     if (!is_integer(count_type))
-      fail("the length of a list is no integer, wanted uchar or the like");
+      fail("the length of a list is not an integer, wanted uchar or the like");
     const Value_type type = read_type(words);
     const std::string name(words.word("the name of a property"));
     if (!is_property_name(name))

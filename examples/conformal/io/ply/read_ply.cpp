@@ -109,7 +109,7 @@ class Ply_reader {
       const Property* property = find_property(element, name);
       if (property == nullptr) continue;
       if (property->is_list() && is_integer(property->type())) return *property;
-      fail(std::string("the property ") + name + " is no list of integers");
+      fail(std::string("the property ") + name + " is not a list of integers");
     }
     fail("the element " + element.name + " has no list vertex_indices, wanted one");
   }

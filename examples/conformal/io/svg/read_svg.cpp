@@ -46,7 +46,7 @@ class Svg_reader {
     std::vector<std::string> notes;
     for (const auto& [name, count] : m_left_out)
       notes.push_back("left out: " + std::to_string(count) + " of the element " + name +
-                      ", which is no path, polygon or polyline");
+                      ", which is not a path, polygon or polyline");
     return notes;
   }
 

@@ -42,7 +42,7 @@ struct Vtk_array {
 void set_arrays(Element& element, std::vector<Vtk_array> arrays, std::size_t skipped,
                 Left_out& left_out);
 
-/// The properties of an element as arrays, in the same way; lists are no arrays.
+/// The properties of an element as arrays, in the same way; lists are not arrays.
 std::vector<Vtk_array> arrays_of(const Element& element);
 
 /// the vertices with texture coordinates and normals, where they do not jump

@@ -80,7 +80,7 @@ class Vtk_reader {
     const std::string_view name = word("a type");
     const Vtk_type* found = vtk_type(lower(name));
     if (found == nullptr && name == "vtkIdType") found = vtk_type(name);
-    if (found == nullptr) fail(in_quotes(name) + " is no type of numbers that is read");
+    if (found == nullptr) fail(in_quotes(name) + " is not a type of numbers that is read");
     return found;
   }
 
@@ -96,7 +96,7 @@ class Vtk_reader {
     while (values.size() < count) {
       const std::string_view found = word("the last of " + std::to_string(count) + " numbers");
       const auto number = parse_double(found);
-      if (!number) fail(in_quotes(found) + " is no number");
+      if (!number) fail(in_quotes(found) + " is not a number");
       values.push_back(*number);
     }
     return values;
@@ -230,7 +230,7 @@ class Vtk_reader {
       else if (keyword == "texture_coordinates")
         array.width = count("a width");
       else
-        fail(in_quotes(keyword) + " is no keyword of VTK");
+        fail(in_quotes(keyword) + " is not a keyword of VTK");
       array.type = type();
       array.values = numbers(*array.type, m_rows * array.width);
     }

@@ -152,7 +152,7 @@ class Vtp_reader {
       if (text.empty()) return values;
       const std::string_view word = text.substr(0, text.find_first_of(blanks));
       const auto value = parse_double(word);
-      if (!value) m_scanner.fail(in_quotes(word) + " is no number");
+      if (!value) m_scanner.fail(in_quotes(word) + " is not a number");
       values.push_back(*value);
       text.remove_prefix(word.size());
     }

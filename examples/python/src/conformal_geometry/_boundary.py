@@ -18,7 +18,7 @@ class Boundary_condition:
     below.
 
     Arrays have one row for *every* vertex of the mesh, as V has; only those of the boundary are
-    read. Vectors may have any length but zero. Data that no conformal surface has are no error: the
+    read. Vectors may have any length but zero. Data that no conformal surface has are not an error: the
     report is then false, and names its ``boundary_fault``.
     """
 
