@@ -61,7 +61,7 @@ Way flow(const CGP::Mesh_view& mesh, double time_step)
   CGP::Flow_options options;
   options.time_step = time_step;
   options.max_steps = flow_steps;
-  options.exact_conformal_class = false;
+  options.surface.exact_conformal_class = false;
   Recorder recorder;
   CGP::Conformal_willmore_flow flow(mesh, options);
   (void)flow.run(recorder);

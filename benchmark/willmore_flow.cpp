@@ -20,7 +20,7 @@ void measure(benchmark::State& state, const CGP::Mesh_view& mesh)
 {
   const int later_steps = 4;
   CGP::Flow_options options;
-  options.exact_conformal_class = false;
+  options.surface.exact_conformal_class = false;
   options.time_step = 0.3;  // at 1, little would be left to do after two steps
   double first = never, later = never;
   int trials = 0;

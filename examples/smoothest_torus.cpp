@@ -49,7 +49,7 @@ int main(int argc, char* argv[])
     //! [torus]
     const CGP::Mesh_view torus = CGP::torus_of_class(knobbly_torus, b, 1.3, 4);
     CGP::Flow_options options;
-    options.exact_conformal_class = false;
+    options.surface.exact_conformal_class = false;
     options.time_step = .15;  // the class changes in proportion to it
     options.balance = CGP::Flow_options::Balance::canonical;
     CGP::Conformal_willmore_flow flow(torus, options);

@@ -55,7 +55,7 @@ void expect_flow_with(Mesh&& mesh, const NamedParameters& np, const Boundary_con
 {
   CGP::Flow_options options;
   options.max_steps = 2;
-  options.boundary = condition;
+  options.surface.boundary = condition;
   CGP::Conformal_willmore_flow expected(view_of(mesh), options);
   const CGP::Flow_report expected_report = expected.run();
   EXPECT_EQ(expected_report.steps.size(), 2U) << expected_report.message;

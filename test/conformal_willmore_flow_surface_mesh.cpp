@@ -119,7 +119,7 @@ TEST_F(Conformal_willmore_flow_of_a_Surface_mesh, keeps_handles_closed_in_the_wa
 {
   for (const CGP::Exactness exactness : {CGP::Exactness::adjoint, CGP::Exactness::thesis}) {
     CGP::Flow_options options;
-    options.exactness = exactness;
+    options.surface.exactness = exactness;
     options.max_steps = 1;
     Surface surface = to_cgal_mesh<Surface>(btorus(16));
     CGP::Conformal_willmore_flow flow(view_of(surface), options);
@@ -173,7 +173,7 @@ TEST_F(Conformal_willmore_flow_of_a_Surface_mesh,
       mesh, params::visitor(std::ref(visitor)).exact_conformal_class(false));
   EXPECT_EQ(report.stop, CGP::Flow_step_report::Stop::cancelled);
   CGP::Flow_options options;
-  options.exact_conformal_class = false;
+  options.surface.exact_conformal_class = false;
   options.max_steps = 1;
   EXPECT_EQ(view_of(mesh).positions(), expected(options));
 }

@@ -40,7 +40,7 @@ void measure_edit(const std::string& surface, int n, const Mesh_view& mesh,
     rho[v] = std::sin(3 * x[0] + 1) * std::cos(2 * x[1]) + .5 * std::sin(4 * x[2]);
   }
   CGP::Spin_transformation_options options;
-  options.max_period_defect = limit;
+  options.surface.max_period_defect = limit;
   const CGP::Spin_report report = CGP::Spin_transformation(mesh, options)
                                       .transform(CGP::Curvature_potential::on_vertices(rho))
                                       .report;
@@ -57,7 +57,7 @@ void measure_drift(int n, double time_step, std::optional<double> limit)
   const Mesh_view mesh = cgp_test::twisted_torus(n);
   const int steps = static_cast<int>(std::lround(2 / time_step));
   CGP::Flow_options options = cgp_test::plain_steps(time_step, steps);
-  options.max_period_defect = limit;
+  options.surface.max_period_defect = limit;
   CGP::Conformal_willmore_flow flow(mesh, options);
   double gap = 0, closure = 0;
   const CGP::Flow_report report = flow.run();

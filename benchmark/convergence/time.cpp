@@ -34,9 +34,9 @@ struct Time_case {
 CGP::Conformal_willmore_flow flow_of(const Time_case& c, int steps, double time_step)
 {
   CGP::Flow_options options = cgp_test::plain_steps(time_step, steps, c.condition);
-  options.exactness = c.exactness;
-  options.max_period_defect = 1;  // the constraints alone
-  options.dirac.tolerance = 1e-10;
+  options.surface.exactness = c.exactness;
+  options.surface.max_period_defect = 1;  // the constraints alone
+  options.surface.dirac.tolerance = 1e-10;
   return CGP::Conformal_willmore_flow(c.mesh, options);
 }
 

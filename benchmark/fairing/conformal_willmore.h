@@ -38,7 +38,7 @@ class Conformal_willmore : public Fairing_flow {
     CGP::Flow_options options;
     options.time_step = time_step;
     options.backtracking = backtracking;
-    options.exact_conformal_class = false;  // one equation against another
+    options.surface.exact_conformal_class = false;  // one equation against another
     return options;
   }
 

@@ -3,9 +3,9 @@
 
 #include <Conformal_geometry_processing/core/Graph_view.h>
 #include <Conformal_geometry_processing/core/boundary_parameters.h>
-#include <Conformal_geometry_processing/core/dirac_parameters.h>
 #include <Conformal_geometry_processing/core/geometry_traits.h>
 #include <Conformal_geometry_processing/core/named_parameters.h>
+#include <Conformal_geometry_processing/core/spin_parameters.h>
 #include <Conformal_geometry_processing/core/write_points.h>
 #include <Conformal_geometry_processing/flow/Conformal_willmore_flow.h>
 #include <Conformal_geometry_processing/flow/Flow_report.h>
@@ -30,19 +30,19 @@ Flow_options flow_options(const NamedParameters& np)
   o.energy_tolerance =
       choose_parameter(get_parameter(np, internal_np::tolerance), o.energy_tolerance);
   if constexpr (has_parameter<NamedParameters, internal_np::scale_bound_t>)
-    o.scale_bound = get_parameter(np, internal_np::scale_bound);
-  read_exactness_and_mollification(np, o);
+    o.surface.scales.bound = get_parameter(np, internal_np::scale_bound);
+  read_exactness_and_mollification(np, o.surface);
   const Filter_options filter =
       parameter_or(np, internal_np::filter, Filter_options{o.filter_weight, o.filter_order});
   o.filter_weight = filter.weight;
   o.filter_order = filter.order;
   o.balance = choose_parameter(get_parameter(np, internal_np::balance), o.balance);
-  o.exact_conformal_class = choose_parameter(get_parameter(np, internal_np::exact_conformal_class),
-                                             o.exact_conformal_class);
+  o.surface.exact_conformal_class = choose_parameter(
+      get_parameter(np, internal_np::exact_conformal_class), o.surface.exact_conformal_class);
   o.fairing = choose_parameter(get_parameter(np, internal_np::fairing), o.fairing);
-  o.dirac = parameter_or(np, internal_np::dirac, o.dirac);
-  o.dirac.random_seed = static_cast<unsigned>(
-      choose_parameter(get_parameter(np, CGAL::internal_np::random_seed), o.dirac.random_seed));
+  o.surface.dirac = parameter_or(np, internal_np::dirac, o.surface.dirac);
+  o.surface.dirac.random_seed = static_cast<unsigned>(choose_parameter(
+      get_parameter(np, CGAL::internal_np::random_seed), o.surface.dirac.random_seed));
   return o;
 }
 
@@ -85,7 +85,7 @@ Flow_result flow_result(const Graph_view<TriangleMesh>& graph, const NamedParame
       "conformal_willmore_flow(): unknown named parameter, see the manual for those it accepts");
   Flow_options options = flow_options(np);
   read_target_areas(graph, np, options);
-  options.boundary = boundary_condition(graph, np, function);
+  options.surface.boundary = boundary_condition(graph, np, function);
   Flow_visitor silent;
   auto&& visitor = parameter_or(np, CGAL::internal_np::visitor, silent);
   Conformal_willmore_flow flow(

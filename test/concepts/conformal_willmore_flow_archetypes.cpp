@@ -64,7 +64,7 @@ TEST(Conformal_willmore_flow_of_archetypes, needs_no_more_than_the_concepts_offe
   CGP::Flow_options options;
   options.time_step = .5;
   options.max_steps = 2;
-  options.exact_conformal_class = false;
+  options.surface.exact_conformal_class = false;
   options.balance = CGP::Flow_options::Balance::prescribed;
   options.target_areas = random_numbers(view.size_of_vertices(), 1).array() + 2;
   CGP::Dirac_options dirac;

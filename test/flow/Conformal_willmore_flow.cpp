@@ -263,7 +263,7 @@ TEST(Conformal_willmore_flow, reaches_the_sphere_in_three_steps)
 {
   const double limit = CGP::willmore_energy(icosphere(4));
   CGP::Flow_options options;
-  options.exact_conformal_class = false;
+  options.surface.exact_conformal_class = false;
   CGP::Conformal_willmore_flow flow(bumpy_sphere(4), options);
   for (int i = 0; i < 3; ++i) EXPECT_TRUE(flow.step().accepted);
   EXPECT_LT(flow.energy(), 1.0005 * limit);
@@ -310,7 +310,7 @@ TEST(Conformal_willmore_flow, reports_what_it_did)
 {
   const Mesh_view mesh = bumpy_sphere(3);
   CGP::Flow_options options;
-  options.exact_conformal_class = false;
+  options.surface.exact_conformal_class = false;
   CGP::Conformal_willmore_flow flow(mesh, options);
   EXPECT_EQ(flow.energy(), CGP::willmore_energy(mesh));
   const CGP::Flow_report report = flow.run();

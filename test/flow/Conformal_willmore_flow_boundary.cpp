@@ -38,8 +38,8 @@ CGP::Flow_report flown(const Mesh_view& mesh, const Boundary_condition& conditio
                        bool is_exact = true)
 {
   CGP::Flow_options options;
-  options.boundary = condition;
-  options.exact_conformal_class = is_exact;
+  options.surface.boundary = condition;
+  options.surface.exact_conformal_class = is_exact;
   CGP::Conformal_willmore_flow flow(mesh, options);
   return flow.run();
 }

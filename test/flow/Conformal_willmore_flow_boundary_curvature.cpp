@@ -56,15 +56,16 @@ struct Shares {
 Shares shares_at_the_end(double height)
 {
   CGP::Flow_options options;
-  options.boundary = Boundary_condition::binormals();
-  options.exact_conformal_class = false;  // on so coarse a mesh the discrete class is narrower
+  options.surface.boundary = Boundary_condition::binormals();
+  options.surface.exact_conformal_class =
+      false;  // on so coarse a mesh the discrete class is narrower
   options.max_steps = 40;
-  options.max_period_defect = 1e-3;
+  options.surface.max_period_defect = 1e-3;
   options.energy_tolerance = 1e-6;
   CGP::Conformal_willmore_flow flow(bumpy_zone(height), options);
   EXPECT_FALSE(flow.run().steps.empty());
 
-  CGP::Spin_transformation transformation(flow.mesh(), {options.boundary});
+  CGP::Spin_transformation transformation(flow.mesh(), {options.surface.boundary});
   const auto& exactness = transformation.exactness(CGP::Curvature_potential::On::vertices);
   const CGP::internal::Constraint_basis basis = exactness.basis();
   EXPECT_EQ(basis.rank(), 4);

@@ -27,9 +27,9 @@ std::vector<double> gaps(const Boundary_condition& condition, bool is_constraine
   std::vector<double> list;
   for (const double tau : time_steps) {
     CGP::Flow_options options = plain_steps(tau, 1, condition);
-    options.dirac.tolerance = 1e-10;
-    options.max_period_defect = 1;  // the constraints alone
-    if (!is_constrained) options.exactness.reset();
+    options.surface.dirac.tolerance = 1e-10;
+    options.surface.max_period_defect = 1;  // the constraints alone
+    if (!is_constrained) options.surface.exactness.reset();
     CGP::Conformal_willmore_flow flow(bumpy_annulus(10), options);
     list.push_back(flow.step().period_defect);
   }
@@ -39,7 +39,7 @@ std::vector<double> gaps(const Boundary_condition& condition, bool is_constraine
 CGP::Flow_report three_steps(const Boundary_condition& condition, bool is_constrained)
 {
   CGP::Flow_options options = plain_steps(.25, 3, condition);
-  if (!is_constrained) options.exactness.reset();
+  if (!is_constrained) options.surface.exactness.reset();
   CGP::Conformal_willmore_flow flow(bumpy_annulus(10), options);
   return flow.run();
 }
@@ -95,9 +95,9 @@ TEST(Conformal_willmore_flow_with_holes, arrives_where_little_changes)
   for (const std::optional<double> limit : {constraints_alone, closed})
     for (const Boundary_condition& condition : conditions()) {
       CGP::Flow_options options;
-      options.boundary = condition;
+      options.surface.boundary = condition;
       options.energy_tolerance = .01;  // afterwards, constraint violations dominate
-      options.max_period_defect = limit;
+      options.surface.max_period_defect = limit;
       CGP::Conformal_willmore_flow flow(bumpy_annulus(8), options);
       const CGP::Flow_report report = flow.run();
       EXPECT_TRUE(report.converged()) << to_string(report.stop) << " " << report.message;

@@ -149,7 +149,7 @@ TEST(Conformal_willmore_flow_with_turned_boundary, starts_though_there_is_nothin
   const Mesh_view mesh = hemisphere(12);
   CGP::Flow_options options;
   for (const double tilt : {pi / 3, 2 * pi / 3}) {  // the energy of the second rises
-    options.boundary = tilted(mesh, tilt);
+    options.surface.boundary = tilted(mesh, tilt);
     CGP::Conformal_willmore_flow flow(mesh, options);
     const CGP::Flow_report report = flow.run();
     EXPECT_TRUE(report.converged()) << to_string(report.stop) << " " << report.message;
@@ -165,7 +165,7 @@ TEST(Conformal_willmore_flow_with_turned_boundary, refuses_a_boundary_that_no_su
   for (const bool backtracking : {true, false}) {
     CGP::Flow_options options;
     options.backtracking = backtracking;
-    options.boundary = Boundary_condition::tangents(directions(
+    options.surface.boundary = Boundary_condition::tangents(directions(
         mesh,
         [](double, const CGP::internal::Boundary_frame&) { return Eigen::Vector3d(1, 0, 0); }));
     CGP::Conformal_willmore_flow flow(mesh, options);

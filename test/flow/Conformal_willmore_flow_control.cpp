@@ -63,7 +63,7 @@ struct Visitor : CGP::Flow_visitor {
 TEST(Conformal_willmore_flow_control, halves_the_step_until_it_is_conformal_enough)
 {
   CGP::Flow_options options;
-  options.exact_conformal_class = false;
+  options.surface.exact_conformal_class = false;
   options.max_step_distortion = 1.01;
   CGP::Conformal_willmore_flow flow(bumpy_sphere(3), options);
   const CGP::Flow_step_report step = flow.step();
@@ -78,7 +78,7 @@ TEST(Conformal_willmore_flow_control, balances_at_once_however_small_the_time_st
 {
   const Mesh_view mesh = bumpy_sphere(3), moved = inverted(mesh, {4, .5, .3});
   CGP::Flow_options options;
-  options.exact_conformal_class = false;
+  options.surface.exact_conformal_class = false;
   options.time_step = .1;
   options.balance = CGP::Flow_options::Balance::prescribed;
   options.target_areas = CGP::vertex_areas(mesh);
@@ -109,7 +109,7 @@ TEST(Conformal_willmore_flow_control, gives_up_where_the_energy_rises_and_leaves
 TEST(Conformal_willmore_flow_control, takes_a_slight_rise_for_the_minimum)
 {
   CGP::Flow_options options;
-  options.exact_conformal_class = false;
+  options.surface.exact_conformal_class = false;
   options.energy_tolerance = 10;
   CGP::Conformal_willmore_flow flow(bumpy_sphere(2), options, Uphill());
   const CGP::Flow_step_report step = flow.step();
@@ -147,8 +147,8 @@ TEST(Conformal_willmore_flow_control, follows_directions_without_an_energy)
 TEST(Conformal_willmore_flow_control, says_so_where_the_equation_is_not_solved)
 {
   CGP::Flow_options options = plain_steps(1, 3);
-  options.dirac.max_iterations = 1;
-  options.dirac.max_substeps = 1;
+  options.surface.dirac.max_iterations = 1;
+  options.surface.dirac.max_substeps = 1;
   CGP::Conformal_willmore_flow flow(bumpy_sphere(2), options);
   const CGP::Flow_report report = flow.run();
   EXPECT_EQ(report.stop, Flow_stop::step_failed);

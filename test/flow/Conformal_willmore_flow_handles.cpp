@@ -29,8 +29,8 @@ Errors errors_of_one_step(const Mesh_view& mesh, std::optional<Exactness> versio
   Errors e;
   for (const double tau : {0.2, 0.1, 0.05}) {
     CGP::Flow_options options = plain_steps(tau, 1);
-    options.exactness = version;
-    options.max_period_defect = 1;  // the constraints alone
+    options.surface.exactness = version;
+    options.surface.max_period_defect = 1;  // the constraints alone
     CGP::Conformal_willmore_flow flow(mesh, options);
     const CGP::Flow_step_report step = flow.step();
     EXPECT_TRUE(step.accepted);
@@ -90,7 +90,7 @@ TEST(Conformal_willmore_flow_with_handles, closes_every_step_up_to_the_limit)
   for (const Mesh_view& mesh : {btorus(24), smooth_handlebody(2, 2)})
     for (const double limit : {1e-3, 1e-5}) {
       CGP::Flow_options options = plain_steps(.25, 2);
-      options.max_period_defect = limit;
+      options.surface.max_period_defect = limit;
       CGP::Conformal_willmore_flow flow(mesh, options);
       for (const CGP::Flow_step_report& step : flow.run().steps) {
         EXPECT_LE(step.period_defect, limit);
@@ -102,7 +102,7 @@ TEST(Conformal_willmore_flow_with_handles, closes_every_step_up_to_the_limit)
 TEST(Conformal_willmore_flow_with_handles, takes_a_torus_of_rectangular_class_to_the_clifford_torus)
 {
   CGP::Flow_options options = plain_steps(1, 5);
-  options.max_period_defect = 1;  // as in the reference run
+  options.surface.max_period_defect = 1;  // as in the reference run
   CGP::Conformal_willmore_flow flow(storus(48), options);
   const CGP::Flow_report report = flow.run();
   const double expected[] = {0.99946, 0.99816, 0.99810, 0.99808, 0.99807};
@@ -163,7 +163,7 @@ TEST(Conformal_willmore_flow_with_handles, goes_back_on_itself_rather_than_tear_
 {
   // Without constraints, the energy decreases while the torus shears: only its distortion shows it.
   CGP::Flow_options options;
-  options.exactness.reset();
+  options.surface.exactness.reset();
   options.max_steps = 1;
   options.max_step_distortion = 1.05;
   CGP::Conformal_willmore_flow flow(btorus(24), options);

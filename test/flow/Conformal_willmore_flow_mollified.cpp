@@ -17,8 +17,8 @@ CGP::Flow_options mollified(int steps, bool on_class = true)
 {
   CGP::Flow_options options;
   options.max_steps = steps;
-  options.mollification = 1e-6;
-  options.exact_conformal_class = on_class;
+  options.surface.mollification = 1e-6;
+  options.surface.exact_conformal_class = on_class;
   return options;
 }
 
@@ -33,7 +33,7 @@ TEST(Conformal_willmore_flow_mollified, of_a_Delaunay_mesh_begins_as_that_of_the
 {
   const Mesh_view mesh = bumpy_sphere(2);
   CGP::Flow_options plain = mollified(1, false);
-  plain.mollification.reset();
+  plain.surface.mollification.reset();
   CGP::Conformal_willmore_flow expected(mesh, plain), flow(mesh, mollified(1, false));
   EXPECT_NEAR(flow.energy(), expected.energy(), 1e-12 * expected.energy());
   const CGP::Flow_report a = expected.run(), b = flow.run();

@@ -81,7 +81,7 @@ TEST(Conformal_willmore_flow_refusals, refuses_options_out_of_their_ranges)
   options.filter_order = -1;
   EXPECT_TRUE(has(refusal(icosphere(1), options), "an order of -1"));
   options = {};
-  options.boundary.kind = CGP::Boundary_condition::Kind::positions;
+  options.surface.boundary.kind = CGP::Boundary_condition::Kind::positions;
   EXPECT_TRUE(has(refusal(icosphere(1), options), "a flow can keep directions only"));
 }
 

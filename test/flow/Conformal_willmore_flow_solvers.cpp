@@ -47,8 +47,13 @@ class Conformal_willmore_flow_solvers : public testing::Test {
  protected:
   struct Flow : CGP::Conformal_willmore_flow {
     explicit Flow(const Mesh_view& mesh, const CGP::Flow_options& options = {})
-        : Conformal_willmore_flow(mesh, with_solvers<Watched_solver_traits>(options))
+        : Conformal_willmore_flow(mesh, watched(options))
     {}
+    static CGP::Flow_options watched(CGP::Flow_options options)
+    {
+      options.surface = with_solvers<Watched_solver_traits>(options.surface);
+      return options;
+    }
   };
   using Refused = Watched_solver_traits::Refused;
 
@@ -71,7 +76,7 @@ TEST_F(Conformal_willmore_flow_solvers, analyze_each_pattern_once_for_all_steps)
   CGP::Flow_options options = plain_steps(.5, 3);
   options.filter_weight = .01;
   options.balance = CGP::Flow_options::Balance::canonical;
-  options.max_period_defect = 1;  // none to be closed
+  options.surface.max_period_defect = 1;  // none to be closed
   Flow flow(btorus(12), options);
   ASSERT_TRUE(flow.step().accepted);
   const int analyses = Watched_solver_traits::analyses();

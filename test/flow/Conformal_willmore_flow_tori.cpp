@@ -45,7 +45,7 @@ TEST(Conformal_willmore_flow_of_tori, changes_the_conformal_class_in_proportion_
     std::vector<std::complex<double>> moduli;
     for (const int steps : {5, 10, 20}) {
       CGP::Flow_options options = plain_steps(2.5 / steps, steps);
-      options.max_period_defect = limit;
+      options.surface.max_period_defect = limit;
       CGP::Conformal_willmore_flow flow(mesh, options);
       EXPECT_TRUE(flow.run());
       moduli.push_back(CGP::conformal_modulus(flow.mesh()));
@@ -66,7 +66,7 @@ TEST(Conformal_willmore_flow_of_tori, keeps_the_conformal_class_on_fine_meshes)
   for (const int n : {24, 32, 48}) {
     const Mesh_view mesh = twisted_torus(n);
     CGP::Flow_options options = plain_steps(.25, 8);
-    options.max_period_defect = 1e-5;
+    options.surface.max_period_defect = 1e-5;
     CGP::Conformal_willmore_flow flow(mesh, options);
     EXPECT_TRUE(flow.run());
     h.push_back(1. / n);
@@ -79,7 +79,7 @@ TEST(Conformal_willmore_flow_of_tori, keeps_the_conformal_class_on_fine_meshes)
 TEST(Conformal_willmore_flow_of_tori, comes_to_the_Clifford_torus_on_a_fine_mesh)
 {
   CGP::Flow_options options = plain_steps(1, 3);
-  options.max_period_defect = 1;  // as in the reference run
+  options.surface.max_period_defect = 1;  // as in the reference run
   CGP::Conformal_willmore_flow flow(storus(96), options);
   EXPECT_NEAR(flow.energy() / (2 * pi * pi), 1.11449, 1e-5);
   const CGP::Flow_report report = flow.run();
@@ -139,7 +139,7 @@ TEST(Conformal_willmore_flow_of_tori, converges_on_a_Hopf_torus_if_balanced_and_
       mesh, CGP::canonical_area_density(
                 mesh, CGP::Hodge_decomposition(mesh).harmonic_basis().one_forms)));
   CGP::Flow_options options = plain_steps(1, 20);
-  options.max_period_defect = 1e-5;
+  options.surface.max_period_defect = 1e-5;
   CGP::Conformal_willmore_flow adrift(mesh, options);
   options.balance = CGP::Flow_options::Balance::canonical;
   CGP::Conformal_willmore_flow balanced(mesh, options);

@@ -170,7 +170,7 @@ TEST(Flow_on_class, keeps_the_conformal_type_where_the_plain_flow_drifts)
   const Mesh_view mesh = stretched(irregular_torus(2, 1, 32, 16), 2);
   CGP::Flow_options options = steps(8);
   Flow exact(mesh, options);
-  options.exact_conformal_class = false;
+  options.surface.exact_conformal_class = false;
   Flow plain(mesh, options);
   const double on_class = exact.run().conformal_type_change,
                off_class = plain.run().conformal_type_change;
@@ -222,9 +222,9 @@ TEST(Flow_on_class, stops_at_the_last_step_within_its_limits)
 {
   const Mesh_view mesh = stretched(irregular_torus(2, 1, 32, 16), 2);
   CGP::Flow_options options = steps(20);
-  options.limits.quasi_conformal = 1.01;
+  options.surface.limits.map.quasi_conformal = 1.01;
   for (const bool is_exact : {true, false}) {
-    options.exact_conformal_class = is_exact;
+    options.surface.exact_conformal_class = is_exact;
     Flow flow(mesh, options);
     const CGP::Flow_report report = flow.run();
     EXPECT_EQ(report.stop, Stop::limits_reached);
@@ -241,14 +241,15 @@ TEST(Flow_on_class, stops_at_the_last_step_within_its_limits)
 TEST(Flow_on_class, stops_within_its_limits_without_smaller_steps)
 {
   CGP::Flow_options options = steps(20);
-  options.limits.quasi_conformal = 1.01;
+  options.surface.limits.map.quasi_conformal = 1.01;
   options.backtracking = false;
   for (const bool is_exact : {true, false}) {
-    options.exact_conformal_class = is_exact;
+    options.surface.exact_conformal_class = is_exact;
     Flow flow(stretched(irregular_torus(2, 1, 32, 16), 2), options);
     const CGP::Flow_report report = flow.run();
     EXPECT_EQ(report.stop, Stop::limits_reached) << report.message;
-    EXPECT_EQ(report.conformality.fault(options.limits), CGP::Conformality::Fault::none);
+    EXPECT_EQ(report.conformality.fault(options.surface.limits.map),
+              CGP::Conformality::Fault::none);
     EXPECT_NE(report.message.find("not conformal"), std::string::npos) << report.message;
   }
 }
@@ -262,9 +263,10 @@ TEST(Flow_on_class, is_within_its_limits_in_the_end)
     const CGP::Flow_report report = free.run();
     const double before = report.steps.back().quasi_conformal.mean,
                  after = report.conformality.quasi_conformal.mean;
-    options.limits.quasi_conformal = (before + after) / 2;
+    options.surface.limits.map.quasi_conformal = (before + after) / 2;
     Flow limited(mesh, options);
-    EXPECT_EQ(limited.run().conformality.fault(options.limits), CGP::Conformality::Fault::none);
+    EXPECT_EQ(limited.run().conformality.fault(options.surface.limits.map),
+              CGP::Conformality::Fault::none);
   }
 }
 
@@ -272,7 +274,7 @@ TEST(Flow_on_class, is_within_its_limits_in_the_end)
 TEST(Flow_on_class, tells_that_limbs_are_too_small_for_the_precision)
 {
   CGP::Flow_options options = steps(30);
-  options.limits = {100, 1, 1};
+  options.surface.limits.map = {100, 1, 1};
   for (const double length : {30, 40, 41, 42}) {
     Flow flow(CGP::internal::simple_delaunay(stretched(icosphere(4), length)), options);
     const CGP::Flow_report report = flow.run();
@@ -280,7 +282,8 @@ TEST(Flow_on_class, tells_that_limbs_are_too_small_for_the_precision)
     EXPECT_FALSE(report.is_complete());
     const auto& scale = report.conformality.scale;
     EXPECT_GT(std::log(scale.max_scale / scale.min_scale), 10);
-    EXPECT_EQ(report.conformality.fault(options.limits), CGP::Conformality::Fault::none);
+    EXPECT_EQ(report.conformality.fault(options.surface.limits.map),
+              CGP::Conformality::Fault::none);
   }
 }
 

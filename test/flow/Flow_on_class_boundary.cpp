@@ -27,8 +27,8 @@ struct Flown {
   static CGP::Flow_options options(const Boundary_condition& condition, bool is_exact, int steps)
   {
     CGP::Flow_options options;
-    options.boundary = condition;
-    options.exact_conformal_class = is_exact;
+    options.surface.boundary = condition;
+    options.surface.exact_conformal_class = is_exact;
     options.max_steps = steps;
     return options;
   }

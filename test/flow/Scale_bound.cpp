@@ -86,7 +86,7 @@ End flown(const Mesh_view& mesh, std::optional<double> bound, int steps = 12)
 {
   CGP::Flow_options options;
   options.max_steps = steps;
-  options.scale_bound = bound;
+  options.surface.scales.bound = bound;
   CGP::Conformal_willmore_flow flow(mesh, options);
   CGP::Flow_report report = flow.run();
   return {std::move(report), flow.positions()};

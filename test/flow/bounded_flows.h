@@ -73,7 +73,7 @@ inline CGP::Flow_options plain_steps(double time_step, int steps,
                                      const Boundary_condition& condition)
 {
   CGP::Flow_options options = plain_steps(time_step, steps);
-  options.boundary = condition;
+  options.surface.boundary = condition;
   return options;
 }
 

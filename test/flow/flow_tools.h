@@ -17,7 +17,7 @@ inline CGP::Flow_options plain_steps(double time_step, int steps)
   CGP::Flow_options options;
   options.time_step = time_step;
   options.max_steps = steps;
-  options.exact_conformal_class = options.backtracking = false;
+  options.surface.exact_conformal_class = options.backtracking = false;
   options.energy_tolerance = options.direction_tolerance = 0;
   return options;
 }

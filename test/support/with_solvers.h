@@ -5,10 +5,10 @@
 
 namespace cgp_test {
 
-/// options of a transformation or a flow, with solvers of some traits
-template <class SolverTraits,
-          class Options = Conformal_geometry_processing::Spin_transformation_options>
-Options with_solvers(Options options = {})
+/// options of a transformation, with solvers of some traits
+template <class SolverTraits>
+Conformal_geometry_processing::Spin_transformation_options with_solvers(
+    Conformal_geometry_processing::Spin_transformation_options options = {})
 {
   options.solvers = SolverTraits();
   return options;

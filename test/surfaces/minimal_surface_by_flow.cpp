@@ -44,7 +44,7 @@ TEST(Minimal_surface_that_is_far, is_found_after_the_flow_with_the_same_tangents
 {
   const Mesh_view mesh = bump();
   CGP::Flow_options options;
-  options.boundary = Boundary_condition::tangents();
+  options.surface.boundary = Boundary_condition::tangents();
   options.max_steps = 20;
   CGP::Conformal_willmore_flow flow(mesh, options);
   (void)flow.run();

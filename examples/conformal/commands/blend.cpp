@@ -50,7 +50,6 @@ struct Blend_options {
   int frames = 0;
   bool keep_curvature = false;  ///< the plain difference, wherever t = 1 is then
   double distance_tolerance = CGP::Nearest_spin_options().distance_tolerance;
-  std::optional<double> scale_bound;  ///< none: the lengths are those of the other surface
 };
 
 void add_options(CLI::App& command, Blend_options& blend, Common_options& common)
@@ -79,12 +78,12 @@ void add_options(CLI::App& command, Blend_options& blend, Common_options& common
   command.add_flag("--keep-curvature", blend.keep_curvature,
                    "add the plain difference of curvature, wherever t = 1 is then");
   add_distance_tolerance(command, blend.distance_tolerance);
-  add_max_scale(command, blend.scale_bound);
+  add_max_scale(command, blend.spin.request.scales.bound);
   add_lambda(command, blend.spin.lambda);
-  add_solver(command, blend.spin.solver);
+  add_solver(command, blend.spin.request.solvers);
   add_transformation(command, common);
-  add_eigenvector(command, common);
-  add_limits(command, blend.spin.limits, blend.spin.force);
+  add_eigenvector(command, blend.spin.request.dirac);
+  add_limits(command, blend.spin.request.limits, blend.spin.force);
 }
 
 Files files(const Blend_options& blend)
@@ -133,12 +132,12 @@ CGP::Curvature_potential searched_difference(const Trio& meshes, const Blend_opt
 {
   CGP::Curvature_potential rho;
   const auto solve = [&](const Go_further& go_further) {
-    rho = CGP::nearest_curvature_difference(
-        meshes.a, meshes.b.positions(), options.distance_tolerance,
-        eigenvector_of(session.options()), std::cref(go_further), "blend");
+    rho = CGP::nearest_curvature_difference(meshes.a, meshes.b.positions(),
+                                            options.distance_tolerance, options.spin.request.dirac,
+                                            std::cref(go_further), "blend");
     return Spin_solution();
   };
-  watched(solve, session, "difference, ");
+  watched(solve, options.spin.request.dirac.tolerance, session, "difference, ");
   return rho;
 }
 
@@ -153,10 +152,9 @@ Difference difference(const Trio& meshes, const Blend_options& options, Session&
 }
 
 Spin_problem problem_at(double t, const Trio& meshes, const Difference& whole,
-                        const Blend_options& options, const Common_options& common)
+                        const Blend_options& options)
 {
-  Spin_problem problem{{whole.rho.on, t * whole.rho.values}, request_of(options.spin, common)};
-  problem.request.scales.bound = options.scale_bound;
+  Spin_problem problem{{whole.rho.on, t * whole.rho.values}, options.spin.request};
   if (CGP::topology(meshes.start).is_closed()) return problem;
   problem.request.boundary = CGP::Boundary_condition::binormals(
       CGP::turned_binormals(meshes.a, whole.b_near_a, meshes.start, t));
@@ -177,11 +175,13 @@ std::vector<Frame> solve_frames(const Trio& meshes, const Blend_options& options
   std::vector<Frame> frames;
   for (const double t : values_of_t(options)) {
     if (!frames.empty()) session.end_stage("frames");
-    const Spin_problem problem = problem_at(t, meshes, whole, options, session.options());
+    const Spin_problem problem = problem_at(t, meshes, whole, options);
     const auto solve = [&](const Go_further& go_further) {
       return solve_spin(meshes.start, problem, go_further);
     };
-    frames.push_back({t, problem, watched(solve, session, "t = " + text_of(t, 4) + ", ")});
+    frames.push_back(
+        {t, problem,
+         watched(solve, problem.request.dirac.tolerance, session, "t = " + text_of(t, 4) + ", ")});
   }
   return frames;
 }
@@ -223,7 +223,7 @@ std::vector<Frame> verified_frames(const Surface_input& start, const Trio& meshe
   tell_solution(start, last.problem.request.boundary, last.solution.report, session.outcome());
   tell_frames(frames, meshes.b, session.report());
   for (const Frame& frame : frames)
-    conclude(frame.solution, options.spin, "a --t closer to 0", session,
+    conclude(frame.solution, options.spin.force, "a --t closer to 0", session,
              "t = " + text_of(frame.t, 4));
   return frames;
 }

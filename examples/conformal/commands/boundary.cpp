@@ -102,10 +102,10 @@ void add_options(CLI::App& command, Boundary_options& boundary, Common_options& 
                 "minus the mean curvature: the result is a minimal surface");
   rho->require_option(0, 1);
   add_lambda(command, spin.lambda);
-  add_solver(command, spin.solver);
-  add_period_defect(command, spin.max_period_defect);
-  add_eigenvector(command, common);
-  add_limits(command, spin.limits, spin.force);
+  add_solver(command, spin.request.solvers);
+  add_period_defect(command, spin.request.max_period_defect);
+  add_eigenvector(command, spin.request.dirac);
+  add_limits(command, spin.request.limits, spin.force);
 }
 
 Files files(const Boundary_options& boundary)
@@ -163,8 +163,8 @@ void boundary(const Boundary_options& options, Session& session)
   const std::string easier = easier_than(condition, options.minimal);
   each_component(input, session, [&](const Component& component, Session& own) {
     require_boundary(component.input);
-    Spin_problem problem{on_component(surface.rho, component, 1 / unit),
-                         request_of(options.spin, session.options()), options.minimal};
+    Spin_problem problem{on_component(surface.rho, component, 1 / unit), options.spin.request,
+                         options.minimal};
     problem.request.boundary = on_component(condition, input.mesh, component);
     surface.set(component, deform(component.input, problem, options.spin, easier, own));
   });

@@ -46,16 +46,17 @@ const char* const deform_about =
     "Example: conformal deform bear.off --targets lift_a_leg.json -o bear_deformed.ply";
 
 struct Deform_options {
-  Deform_options() { limits.realised_share = 1; }
+  Deform_options()
+  {
+    request.surface.limits.realised_share = 1;
+    request.surface.scales.bound = CGP::internal::default_scale_bound;
+  }
 
   std::string input, targets;
   std::string expression, property;  ///< of the region; all of the surface, if both are empty
   std::string lambda;                ///< the name of the vertex properties, none if empty
-  std::optional<double> scale_bound = CGP::internal::default_scale_bound;  ///< none: no bound
-  std::optional<double> weight;         ///< of the positions; none: exact
-  std::optional<double> mollification;  ///< share of the mean edge
+  CGP::internal::Conformal_deformation_options request;
   bool force = false;
-  CGP::Spin_report::Limits limits;
 };
 
 void add_options(CLI::App& command, Deform_options& deform, Common_options& common)
@@ -67,15 +68,15 @@ void add_options(CLI::App& command, Deform_options& deform, Common_options& comm
                      "formula of the weights in the region, 1: moves, 0: stays");
   region->add_option("--region-property", deform.property, "vertex property with these numbers");
   region->require_option(0, 1);
-  add_max_scale(command, deform.scale_bound);
+  add_max_scale(command, deform.request.surface.scales.bound);
   command
-      .add_option("--weight", deform.weight,
+      .add_option("--weight", deform.request.position_weight,
                   "weight of the distances from the targets against rho; without it they are zero")
       ->check(above_zero);
-  add_mollification(command, deform.mollification);
+  add_mollification(command, deform.request.surface.mollification);
   add_lambda(command, deform.lambda);
   add_transformation(command, common);
-  add_limits(command, deform.limits, deform.force);
+  add_limits(command, deform.request.surface.limits, deform.force);
 }
 
 Files files(const Deform_options& deform)
@@ -104,17 +105,20 @@ Deformation_solution deform_surface(const Surface_input& input, const Deformatio
         solution = solve_deformation(input.mesh, problem, go_further);
         return std::move(solution.spin);
       },
-      session);
+      problem.request.surface.dirac.tolerance, session);
   session.begin_stage();
   const CGP::Spin_report& report = solution.spin.report;
   tell_region(problem.request.region, solution.region, session);
   tell_targets(report, problem.points.size(), session.report());
   if (report.collar) tell_collar(*report.collar, session.report());
   tell_certificate(report, input.mesh.size_of_faces(), session.outcome());
-  const Evidence evidence{
-      solution.spin.positions, report, {}, fault_of_targets(report, options.limits)};
+  const Evidence evidence{solution.spin.positions,
+                          report,
+                          {},
+                          fault_of_targets(report, options.request.surface.limits)};
   const bool can_force = options.force && solution.spin.positions.cols() > 0;
-  session.conclude(judge(evidence, options.limits, "nearer targets"), on_fault(can_force));
+  session.conclude(judge(evidence, options.request.surface.limits, "nearer targets"),
+                   on_fault(can_force));
   if (report.reached < 1)
     session.note("only " + text_of(100 * report.reached, 3) + " % of the way to the targets");
   return solution;
@@ -131,8 +135,8 @@ Eigen::VectorXd region_weights(const Surface_input& input, const Deform_options&
 void deform(const Deform_options& options, Session& session)
 {
   require_writable(session.options().output);
-  const Surface_input input =
-      read_suitable_surface(options.input, session, flat_faces(options.mollification));
+  const Surface_input input = read_suitable_surface(
+      options.input, session, flat_faces(options.request.surface.mollification));
   const std::vector<Target> targets = read_targets(input, options.targets);
   const Eigen::VectorXd region = region_weights(input, options);
   const double unit = User_frame(input.mesh).unit();
@@ -140,15 +144,13 @@ void deform(const Deform_options& options, Session& session)
   surface.rho =
       CGP::Curvature_potential::on_vertices(Eigen::VectorXd::Zero(input.mesh.size_of_vertices()));
   each_component(input, session, [&](const Component& component, Session& own) {
-    Deformation_problem problem;
-    problem.points = control_points(targets, component.input.mesh, component.vertices);
+    Deformation_problem problem{control_points(targets, component.input.mesh, component.vertices),
+                                options.request};
     if (problem.points.empty()) {  // it stays where it is
-      own.conclude(judge({component.input.mesh.positions()}, options.limits, ""), On_fault::refuse);
+      own.conclude(judge({component.input.mesh.positions()}, options.request.surface.limits, ""),
+                   On_fault::refuse);
       return;
     }
-    problem.request.surface.scales.bound = options.scale_bound;
-    problem.request.surface.mollification = share_of(options.mollification);
-    if (options.weight) problem.request.position_weight = *options.weight;
     if (region.size() > 0) problem.request.region = region(component.vertices);
     const Deformation_solution solution = deform_surface(component.input, problem, options, own);
     surface.set(component, solution.spin);

@@ -42,17 +42,17 @@ const char* const fit_about =
     "Example: conformal fit bear.off bear_posed.off -o bear_fit.ply";
 
 struct Fit_options {
-  Spin_options spin;  ///< what this command has in common with that; input is the source
-  std::string target;
+  std::string source, target;
   CGP::Nearest_spin_options request;
-  double blend = 0;   ///< 0 is conformal, 1 nearest to the target
-  std::string scale;  ///< a formula of factors for the scales of the target, none if empty
-  Boundary_choice boundary = Boundary_choice::tangents;  ///< taken from the target; not free
+  double blend = 0;    ///< 0 is conformal, 1 nearest to the target
+  std::string scale;   ///< a formula of factors for the scales of the target, none if empty
+  std::string lambda;  ///< the name of the vertex properties, none if empty
+  bool force = false;
 };
 
 void add_options(CLI::App& command, Fit_options& fit, Common_options& common)
 {
-  command.add_option("source", fit.spin.input, "mesh file, - for standard input")->required();
+  command.add_option("source", fit.source, "mesh file, - for standard input")->required();
   command.add_option("target", fit.target, "the deformed mesh, with the same faces")->required();
   command
       .add_option("--blend", fit.blend,
@@ -84,23 +84,25 @@ void add_options(CLI::App& command, Fit_options& fit, Common_options& common)
       ->check(formula)
       ->needs("--blend");
   const auto choose = [&fit](const std::string& word) {
-    fit.boundary = word == "tangents" ? Boundary_choice::tangents : Boundary_choice::binormals;
+    using CGP::Boundary_condition;
+    fit.request.direction = word == "tangents" ? Boundary_condition::tangents().direction
+                                               : Boundary_condition::binormals().direction;
   };
   command
       .add_option_function<std::string>("--boundary", choose,
                                         "which directions the boundary takes from the target")
       ->check(CLI::IsMember({"tangents", "binormals"}))
       ->default_str("tangents");
-  add_mollification(command, fit.spin.mollification);
-  add_lambda(command, fit.spin.lambda);
+  add_mollification(command, fit.request.surface.mollification);
+  add_lambda(command, fit.lambda);
   add_transformation(command, common);
-  add_eigenvector(command, common);
-  add_limits(command, fit.spin.limits, fit.spin.force);
+  add_eigenvector(command, fit.request.surface.dirac);
+  add_limits(command, fit.request.surface.limits, fit.force);
 }
 
 Files files(const Fit_options& fit)
 {
-  return {{"the input", fit.spin.input, Named_file::Role::replaceable}, {"the target", fit.target}};
+  return {{"the input", fit.source, Named_file::Role::replaceable}, {"the target", fit.target}};
 }
 
 /// Evaluates a formula for the factors at the vertices; empty if there is no formula.
@@ -160,7 +162,7 @@ Fit_solution solve(const Surface_input& input, const Fit_problem& problem, Sessi
         solution = solve_fit(input.mesh, problem, go_further);
         return std::move(solution.spin);
       },
-      session);
+      problem.request.surface.dirac.tolerance, session);
   return solution;
 }
 
@@ -183,26 +185,22 @@ Fit_solution fit_surface(const Surface_input& input, const CGP::Boundary_conditi
                          Fit_problem problem, const Fit_options& options, Session& session)
 {
   problem.request = options.request;
-  problem.request.direction = boundary.direction;
-  problem.request.surface.mollification = share_of(options.spin.mollification);
-  problem.request.surface.dirac = eigenvector_of(session.options());
-  problem.request.surface.limits = options.spin.limits;
   problem.blend = options.blend;
   Fit_solution solution = solve(input, problem, session);
   session.begin_stage();
   tell_target(input.mesh, CGP::Mesh_view(problem.target, input.mesh.corners()), solution, session);
   tell_solution(input, used_condition(boundary, solution, session), solution.spin.report,
                 session.outcome());
-  conclude(solution.spin, options.spin, "a target that is bent and sheared less", session,
+  conclude(solution.spin, options.force, "a target that is bent and sheared less", session,
            session.input());
   return solution;
 }
 
 void fit(const Fit_options& options, Session& session)
 {
-  const Flat_faces flat = flat_faces(options.spin.mollification);
+  const Flat_faces flat = flat_faces(options.request.surface.mollification);
   require_writable(session.options().output);
-  const Surface_input input = read_suitable_surface(options.spin.input, session, flat);
+  const Surface_input input = read_suitable_surface(options.source, session, flat);
   const CGP::Mesh_view target = read_surface_like(input, options.target, flat).mesh;
   session.note_all(notes_of_repair_alike(input, {options.target}));
   const Eigen::VectorXd factors = scale_factors(input, options.scale);
@@ -212,7 +210,7 @@ void fit(const Fit_options& options, Session& session)
       CGP::Curvature_potential::on_faces(Eigen::VectorXd::Zero(input.mesh.size_of_faces()));
   const bool is_bounded = !CGP::topology(input.mesh).is_closed();
   CGP::Boundary_condition boundary = CGP::Boundary_condition::free();
-  if (is_bounded) boundary = directions_of(input, target, options.boundary);
+  if (is_bounded) boundary = directions_of(input, target, options.request.direction);
   each_component(input, session, [&](const Component& component, Session& own) {
     Fit_problem problem;
     problem.target = on_component(target, component).positions();
@@ -223,7 +221,7 @@ void fit(const Fit_options& options, Session& session)
     surface.set(component, solution.spin);
     surface.rho.values(component.faces) = unit * at_faces(component.input.mesh, solution.rho);
   });
-  write_result(input, surface, session, options.spin.lambda);
+  write_result(input, surface, session, options.lambda);
 }
 
 }  // namespace

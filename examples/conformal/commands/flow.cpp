@@ -44,41 +44,43 @@ const char* const flow_about =
 
 void add_options(CLI::App& command, Flow_options& flow, Common_options& common)
 {
+  CGP::Spin_transformation_options& surface = flow.request.surface;
   add_input(command, flow.input);
   add_transformation(command, common);
-  command.add_option("--steps", flow.steps, "how many steps at most")
+  command.add_option("--steps", flow.request.max_steps, "how many steps at most")
       ->check(above_zero)
       ->capture_default_str();
   command
-      .add_option("--time-step", flow.time_step,
+      .add_option("--time-step", flow.request.time_step,
                   "the largest; 1 goes furthest, 2 is the limit of stability")
       ->check(above_zero)
       ->check(CLI::Range(0., 2.))
       ->capture_default_str();
   command
-      .add_option("--filter-weight", flow.filter_weight,
+      .add_option("--filter-weight", flow.request.filter_weight,
                   "keeps the large features; detail finer than this to the power "
                   "1/(2 order), in radii of the sphere of the same area, is smoothed")
       ->check(above_zero);
   advanced(command)
-      .add_option("--filter-order", flow.filter_order, "sharpness of the filter, 0 to 3")
+      .add_option("--filter-order", flow.request.filter_order, "sharpness of the filter, 0 to 3")
       ->check(CLI::Range(0, 3))
       ->needs(command.get_option("--filter-weight"))
       ->capture_default_str();
-  command.add_flag(
-      "--plain", flow.plain,
+  command.add_flag_callback(
+      "--plain", [&surface] { surface.exact_conformal_class = false; },
       "the flow of the thesis: surfaces drift from their conformal class by the error of each "
       "step, and are not smoothed otherwise");
-  advanced(command).add_flag("--no-fairing", flow.no_fairing,
-                             "no smoothing within the conformal class, curvature flow only");
-  add_max_scale(command, flow.scale_bound,
+  advanced(command).add_flag_callback(
+      "--no-fairing", [&flow] { flow.request.fairing = false; },
+      "no smoothing within the conformal class, curvature flow only");
+  add_max_scale(command, surface.scales.bound,
                 ", against the input: limbs, and what is behind a thin neck, become no smaller");
-  add_boundary(command, flow.boundary);
-  add_mollification(command, flow.mollification,
+  add_boundary(command, surface.boundary);
+  add_mollification(command, surface.mollification,
                     "; without --plain no edge becomes longer: vertices of faces that are still "
                     "without area after the flips move by a thousandth of their edges");
-  add_period_defect(command, flow.max_period_defect);
-  add_choice(command, "--balance", flow.balance, {"none", "initial", "canonical"},
+  add_period_defect(command, surface.max_period_defect);
+  add_choice(command, "--balance", flow.request.balance, {"none", "initial", "canonical"},
              "undoes drift of closed surfaces by sphere inversions: towards the initial areas, "
              "or those of the canonical metric (genus > 0)");
   command
@@ -86,8 +88,8 @@ void add_options(CLI::App& command, Flow_options& flow, Common_options& common)
                   "write every so many steps a snapshot, OUTPUT with the number of the step: "
                   "bear_0005.ply")
       ->check(above_zero);
-  add_eigenvector(command, common);
-  add_limits(command, flow.limits, flow.force);
+  add_eigenvector(command, surface.dirac);
+  add_limits(command, surface.limits, flow.force);
 }
 
 Files files(const Flow_options& flow)
@@ -97,12 +99,13 @@ Files files(const Flow_options& flow)
 
 void require_options_that_fit(const Surface_input& input, const Flow_options& options)
 {
-  require_boundary_to_keep(input, options.boundary);
-  if (options.balance == Balance_choice::none) return;
+  require_boundary_to_keep(input, options.request.surface.boundary);
+  using Balance = CGP::Flow_options::Balance;
+  if (options.request.balance == Balance::none) return;
   const auto topology = CGP::topology(input.mesh);
   if (!topology.is_closed())
     throw unsuitable(options.input, "--balance wants a closed surface; try: without it");
-  if (options.balance == Balance_choice::canonical && topology.genus == 0)
+  if (options.request.balance == Balance::canonical && topology.genus == 0)
     throw unsuitable(options.input,
                      "has genus 0 and so no canonical metric; try: --balance initial");
 }
@@ -110,7 +113,8 @@ void require_options_that_fit(const Surface_input& input, const Flow_options& op
 std::string stopped_after(const CGP::Flow_report& report, const Flow_options& options)
 {
   return "stopped after " + std::to_string(report.steps.size()) + " of " +
-         count_of(static_cast<std::size_t>(options.steps), "step") + ": " + reason(report);
+         count_of(static_cast<std::size_t>(options.request.max_steps), "step") + ": " +
+         reason(report);
 }
 
 std::string fault_of_type(const CGP::Flow_report& report)
@@ -171,7 +175,8 @@ void note_collapse(const Flow_solution& solution, const CGP::Mesh_view& mesh, Se
 void conclude(const Flow_solution& solution, const CGP::Mesh_view& mesh,
               const CGP::Spin_report& steps, const Flow_options& options, Session& session)
 {
-  Verdict verdict = judge(evidence_of(solution, steps, options), options.limits, easier_than_flow);
+  Verdict verdict = judge(evidence_of(solution, steps, options), options.request.surface.limits,
+                          easier_than_flow);
   const bool is_good = verdict.is_verified();
   if (is_good && !solution.report.is_complete() && signal_received() == 0)
     verdict.fault = stopped_after(solution.report, options) +
@@ -187,7 +192,7 @@ void tell(const Flow_solution& solution, const CGP::Spin_report& evidence,
 {
   tell_flow(solution, input.mesh, evidence, session.outcome());
   if (!solution.report.steps.empty())
-    tell_boundary(input.mesh, kept_boundary(options.boundary), solution.report.steps.back().spin,
+    tell_boundary(input.mesh, options.request.surface.boundary, solution.report.steps.back().spin,
                   session.report());
 }
 
@@ -204,7 +209,7 @@ Flow_solution flowed(const Surface_input& input, const Flow_options& options, Se
 {
   require_options_that_fit(input, options);
   Flow_watch watch(input, options, session);
-  Flow_solution solution = run_flow(input.mesh, options, session.options(), watch);
+  Flow_solution solution = run_flow(input.mesh, options, watch);
   watch.end();
   if (solution.report.steps.empty()) throw_if_interrupted();
   session.end_stage("flow");
@@ -225,8 +230,8 @@ void flow(const Flow_options& options, Session& session)
 {
   const bool is_whole = !session.options().each_component;
   require_writable(session.options().output);
-  const Surface_input input =
-      read_suitable_surface(options.input, session, flat_faces(options.mollification));
+  const Surface_input input = read_suitable_surface(
+      options.input, session, flat_faces(options.request.surface.mollification));
   if (!is_whole) require_no_snapshots(options);
   Transformed_surface surface{input.mesh.positions()};
   CGP::Flow_report report;

@@ -1,7 +1,7 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include "option_groups.h"
 
-#include "keyed_options.h"
+#include "conformal/transform/solve_spin.h"
 
 #include <cmath>
 #include <cstdlib>
@@ -162,16 +162,18 @@ void add_lambda(CLI::App& command, std::string& lambda)
       ->check(property_name);
 }
 
-void add_solver(CLI::App& command, std::string& solver)
+void add_solver(CLI::App& command, CGP::Spin_solvers& solvers)
 {
   advanced(command)
-      .add_option("--solver", solver, "native, cholmod (where it was built in) or eigen")
+      .add_option_function<std::string>(
+          "--solver", [&solvers](const std::string& name) { solvers = solvers_named(name); },
+          "native, cholmod (where it was built in) or eigen")
       ->check(CLI::IsMember({"native", "cholmod", "eigen"}))
-      ->capture_default_str();
+      ->default_str("native");
 }
 
-void add_mollification(CLI::App& command, std::optional<double>& mollification,
-                       const std::string& otherwise)
+CLI::Option* add_mollification(CLI::App& command, std::optional<double>& mollification,
+                               const std::string& otherwise)
 {
   const std::string description =
       std::string(
@@ -181,18 +183,28 @@ void add_mollification(CLI::App& command, std::optional<double>& mollification,
           "by "
           "how much they were made longer") +
       otherwise;
-  command.add_flag("--mollify{1e-6}", description)
+  return command.add_flag("--mollify{1e-6}", description)
       ->check(below_one)
       ->each([&mollification](const std::string& text) {
-        mollification = std::strtod(text.c_str(), nullptr);
+        const double share = std::strtod(text.c_str(), nullptr);
+        mollification = share > 0 ? std::optional(share) : std::nullopt;
       });
 }
 
-void add_boundary(CLI::App& command, Boundary_choice& boundary)
+void add_boundary(CLI::App& command, CGP::Boundary_condition& boundary)
 {
-  add_choice(command, "--boundary", boundary, {"free", "tangents", "binormals"},
-             "what its boundary keeps: nothing (it moves as little as it can), its tangents, or "
-             "its binormals, which point out of the surface");
+  const auto choose = [&boundary](const std::string& word) {
+    boundary = word == "tangents"    ? CGP::Boundary_condition::tangents()
+               : word == "binormals" ? CGP::Boundary_condition::binormals()
+                                     : CGP::Boundary_condition::free();
+  };
+  command
+      .add_option_function<std::string>(
+          "--boundary", choose,
+          "what its boundary keeps: nothing (it moves as little as it can), its tangents, or its "
+          "binormals, which point out of the surface")
+      ->check(CLI::IsMember({"free", "tangents", "binormals"}))
+      ->default_str("free");
 }
 
 void add_distance_tolerance(CLI::App& command, double& tolerance)
@@ -213,17 +225,6 @@ void add_period_defect(CLI::App& command, std::optional<double>& max_period_defe
                   "largest part of the edges that may fail to close up around handles and holes; "
                   "by default a quarter of the discretisation error")
       ->check(above_zero);
-}
-
-void add_eigenvector(CLI::App& command, Common_options& common, const std::string& remark)
-{
-  advanced(command)
-      .add_option("--seed", common.seed, "of random start vectors" + remark)
-      ->capture_default_str();
-  advanced(command)
-      .add_option("--tolerance", common.tolerance, "of the eigenvector" + remark)
-      ->check(between_zero_and_one)
-      ->capture_default_str();
 }
 
 void add_map_limits(CLI::App& command, CGP::Spin_report::Limits& limits, bool& force)

@@ -1,9 +1,9 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #pragma once
 
+#include "keyed_options.h"
 #include "option_checks.h"
 
-#include "conformal/input/Boundary_options.h"
 #include "conformal/input/Rho_options.h"
 #include "conformal/process/Common_options.h"
 #include "conformal/transform/Spin_options.h"
@@ -58,7 +58,7 @@ CLI::Option_group* add_rho(CLI::App& command, Rho_options& rho);
 void add_filter(CLI::App& command, Filter_request& filter);
 
 void add_lambda(CLI::App& command, std::string& lambda);
-void add_solver(CLI::App& command, std::string& solver);
+void add_solver(CLI::App& command, CGP::Spin_solvers& solvers);
 
 /// what happens without `--mollify` where it is tried on its own
 inline constexpr const char* tried_otherwise =
@@ -66,22 +66,35 @@ inline constexpr const char* tried_otherwise =
     "never "
     "does it";
 
+/// \brief `--mollify`, where 0 stands for none
 /// \param otherwise what happens without this option, as the end of a sentence
-void add_mollification(CLI::App& command, std::optional<double>& mollification,
-                       const std::string& otherwise = "");
+CLI::Option* add_mollification(CLI::App& command, std::optional<double>& mollification,
+                               const std::string& otherwise = "");
 /// \brief `--max-scale`, a number or none
 /// \param bound its default
 /// \param remark what the description ends with
 CLI::Option* add_max_scale(CLI::App& command, std::optional<double>& bound,
                            const std::string& remark = "; apart from the scale of the whole");
 /// `--max-scale`, and what it refers to
-void add_scale_control(CLI::App& command, Scale_options& scales);
+void add_scale_control(CLI::App& command, Scale_options& scales, std::optional<double>& bound);
 /// where the search for a surface ends
 void add_distance_tolerance(CLI::App& command, double& tolerance);
 void add_period_defect(CLI::App& command, std::optional<double>& max_period_defect);
-void add_boundary(CLI::App& command, Boundary_choice& boundary);
+void add_boundary(CLI::App& command, CGP::Boundary_condition& boundary);
 /// \param remark what the descriptions end with
-void add_eigenvector(CLI::App& command, Common_options& common, const std::string& remark = "");
+/// \tparam Options has random_seed and tolerance
+template <class Options>
+void add_eigenvector(CLI::App& command, Options& options, const std::string& remark = "")
+{
+  advanced(command)
+      .add_option("--seed", options.random_seed, "of random start vectors" + remark)
+      ->capture_default_str();
+  advanced(command)
+      .add_option("--tolerance", options.tolerance, "of the eigenvector" + remark)
+      ->check(between_zero_and_one)
+      ->capture_default_str();
+}
+
 /// what a map is judged by
 void add_map_limits(CLI::App& command, CGP::Spin_report::Limits& limits, bool& force);
 

@@ -32,10 +32,10 @@ CLI::Option* add_max_scale(CLI::App& command, std::optional<double>& bound,
       ->default_str(bound ? text_of(*bound) : "none");
 }
 
-void add_scale_control(CLI::App& command, Scale_options& scales)
+void add_scale_control(CLI::App& command, Scale_options& scales, std::optional<double>& bound)
 {
   const double wanted = CGP::internal::default_bound_of_wanted_scales;
-  auto* max_scale = add_max_scale(command, scales.bound,
+  auto* max_scale = add_max_scale(command, bound,
                                   ": rho is applied as it is, whatever collapses; " +
                                       text_of(wanted) + " where sizes are wanted");
   auto* target = command.add_option_group("wanted sizes", "factors of lengths, one of");
@@ -56,10 +56,10 @@ void add_scale_control(CLI::App& command, Scale_options& scales)
   lock->add_option("--lock-property", scales.lock_property, "vertex property with these numbers")
       ->check(not_empty);
   for (CLI::Option_group* group : {target, lock}) group->require_option(0, 1);
-  target->parse_complete_callback([&scales, max_scale, target, wanted] {
+  target->parse_complete_callback([&bound, max_scale, target, wanted] {
     if (max_scale->count() > 0 || target->count_all() == 0) return;
     max_scale->default_str(text_of(wanted));
-    scales.bound = wanted;
+    bound = wanted;
   });
 }
 

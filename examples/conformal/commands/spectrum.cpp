@@ -37,7 +37,7 @@ const char* const spectrum_about =
 struct Spectrum_options {
   std::string input, csv;
   int count = 10;
-  double shift = 0;
+  CGP::internal::Dirac_spectrum_options request;
   double resolution = 0.005;  ///< eigenvalues nearer than this share of the largest are told as one
   std::optional<int> surface;  ///< the eigenfunction whose surface is written
   bool force = false;
@@ -54,7 +54,7 @@ void add_options(CLI::App& command, Spectrum_options& options, Common_options& c
   command.add_option("--count", options.count, "how many eigenvalues")
       ->check(above_zero)
       ->capture_default_str();
-  command.add_option("--shift", options.shift, "those nearest to it, in 1/length")
+  command.add_option("--shift", options.request.shift, "those nearest to it, in 1/length")
       ->capture_default_str();
   command.add_option("--csv", options.csv, "write the eigenvalues to this file")->check(file_name);
   advanced(command)
@@ -67,7 +67,7 @@ void add_options(CLI::App& command, Spectrum_options& options, Common_options& c
                   "write the surface of this eigenfunction, counted from 0")
       ->check(CLI::NonNegativeNumber)
       ->needs("--output");
-  add_eigenvector(command, common);
+  add_eigenvector(command, options.request);
 }
 
 Files files(const Spectrum_options& spectrum)
@@ -79,16 +79,11 @@ Files files(const Spectrum_options& spectrum)
 CGP::internal::Dirac_spectrum find(const Surface_input& input, const Spectrum_options& options,
                                    const Session& session)
 {
-  const Common_options& common = session.options();
   const CGP::Mesh_view& mesh = input.mesh;
   if (options.count > mesh.size_of_vertices())
     throw Failure(Exit_code::usage, "--count " + std::to_string(options.count) + ": " +
                                         options.input + " has only " +
                                         std::to_string(mesh.size_of_vertices()) + " vertices");
-  CGP::internal::Dirac_spectrum_options o;
-  o.shift = options.shift;
-  o.tolerance = common.tolerance;
-  o.random_seed = common.seed;
   Progress progress = session.progress();
   const auto go_further = [&](const CGP::internal::Krylov_progress& p) {
     progress.show(
@@ -101,7 +96,7 @@ CGP::internal::Dirac_spectrum find(const Surface_input& input, const Spectrum_op
                                                            : CGP::Boundary_condition::binormals();
   CGP::internal::Dirac_spectrum s =
       CGP::internal::Dirac_spectral_problem(mesh, condition, "spectrum")
-          .find(CGP::no_potential(mesh), options.count, o, go_further);
+          .find(CGP::no_potential(mesh), options.count, options.request, go_further);
   throw_if_interrupted();
   if (!s.converged)
     throw Failure(Exit_code::failed, options.input +

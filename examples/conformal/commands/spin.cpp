@@ -47,26 +47,31 @@ const char* const for_eigenvectors = "; without effect unless --max-scale is non
 
 void add_options(CLI::App& command, Spin_options& spin, Common_options& common)
 {
+  CGP::Spin_transformation_options& request = spin.request;
   add_input(command, spin.input);
   add_transformation(command, common);
   add_rho(command, spin.rho)->require_option(1);
   add_filter(command, spin.rho.filter);
-  add_boundary(command, spin.boundary);
+  add_boundary(command, request.boundary);
   add_lambda(command, spin.lambda);
-  add_solver(command, spin.solver);
-  add_scale_control(command, spin.scales);
-  add_period_defect(command, spin.max_period_defect);
-  add_mollification(command, spin.mollification, tried_otherwise);
-  add_choice(advanced(command), "--problem", spin.problem, {"standard", "generalized"},
+  add_solver(command, request.solvers);
+  request.scales.bound = CGP::internal::default_scale_bound;
+  add_scale_control(command, spin.scales, request.scales.bound);
+  add_period_defect(command, request.max_period_defect);
+  spin.second_try = 1e-6;
+  add_mollification(command, request.mollification, tried_otherwise)
+      ->each([&spin](const std::string&) { spin.second_try.reset(); });
+  add_choice(advanced(command), "--problem", request.dirac.problem, {"standard", "generalized"},
              std::string("standard, or generalized for rho on faces where that can be trusted") +
                  for_eigenvectors);
-  command.add_flag("--open-handles", spin.open_handles,
-                   "apply rho in one step, also the part of it that shears handles and holes");
-  command.add_flag("--exact-class", spin.exact_class,
+  command.add_flag_callback(
+      "--open-handles", [&request] { request.exactness.reset(); },
+      "apply rho in one step, also the part of it that shears handles and holes");
+  command.add_flag("--exact-class", request.exact_conformal_class,
                    "move the result to the exact discrete conformal class: length cross-ratios "
                    "are kept to rounding");
-  add_eigenvector(command, common, for_eigenvectors);
-  add_limits(command, spin.limits, spin.force);
+  add_eigenvector(command, request.dirac, for_eigenvectors);
+  add_limits(command, request.limits, spin.force);
 }
 
 Files files(const Spin_options& spin)
@@ -77,15 +82,16 @@ Files files(const Spin_options& spin)
 }
 
 /// on the whole surface
-CGP::internal::Scale_control scale_control(const Surface_input& input, const Scale_options& scales)
+CGP::internal::Scale_control scale_control(const Surface_input& input, const Spin_options& spin)
 {
-  CGP::internal::Scale_control control;
+  const Scale_options& scales = spin.scales;
+  CGP::internal::Scale_control control = spin.request.scales;
   control.factors = vertex_numbers(input, "--target-scale-expression", scales.target_expression,
                                    scales.target_property);
   control.weights =
       vertex_numbers(input, "--lock-expression", scales.lock_expression, scales.lock_property);
   const bool is_used = control.factors.size() > 0 || control.weights.size() > 0;
-  if (is_used && !scales.bound)
+  if (is_used && !control.bound)
     throw Failure(Exit_code::usage,
                   "wanted and locked sizes are for a bound; try: without --max-scale none");
   control.weights = 99 * control.weights.array() + 1;  // of locked places 100
@@ -94,8 +100,8 @@ CGP::internal::Scale_control scale_control(const Surface_input& input, const Sca
 
 void require_possible(const Surface_input& input, const Spin_options& spin)
 {
-  require_boundary_to_keep(input, spin.boundary);
-  if (spin.problem == CGP::Dirac_options::Eigenproblem::generalized &&
+  require_boundary_to_keep(input, spin.request.boundary);
+  if (spin.request.dirac.problem == CGP::Dirac_options::Eigenproblem::generalized &&
       !CGP::topology(input.mesh).is_closed())
     throw unsuitable(
         input.file.path,
@@ -104,28 +110,24 @@ void require_possible(const Surface_input& input, const Spin_options& spin)
 
 std::string easier(const Spin_options& spin)
 {
-  const bool is_mollified = spin.mollification.value_or(1) > 0;
+  const CGP::Boundary_condition& kept = spin.request.boundary;
+  const bool is_mollified = spin.request.mollification || spin.second_try;
   const std::string usual = text_of(CGP::internal::default_scale_bound);
-  const std::string bound = spin.scales.bound ? "" : "--max-scale " + usual + ", ";
-  const bool has_tangents = spin.boundary == Boundary_choice::tangents;
+  const std::string bound = spin.request.scales.bound ? "" : "--max-scale " + usual + ", ";
+  const bool has_tangents =
+      kept.kind == CGP::Boundary_condition::Kind::directions && !kept.is_self_adjoint();
   const std::string boundary = has_tangents ? "--boundary binormals, " : "";
   return bound + boundary +
          (is_mollified ? "a weaker rho" : "a weaker rho, --mollify for thin faces");
 }
 
 /// \param rho in 1/length
-Spin_problem problem_of(CGP::Curvature_potential rho, const Spin_options& spin,
-                        const Common_options& common)
+Spin_problem problem_of(CGP::Curvature_potential rho, const Spin_options& spin)
 {
-  if (spin.problem == CGP::Dirac_options::Eigenproblem::generalized &&
+  if (spin.request.dirac.problem == CGP::Dirac_options::Eigenproblem::generalized &&
       rho.on == CGP::Curvature_potential::On::vertices)
     throw Failure(Exit_code::usage, "the generalized problem wants rho on faces; try: --on faces");
-  Spin_problem problem{std::move(rho), request_of(spin, common)};
-  problem.request.scales.bound = spin.scales.bound;
-  problem.request.boundary = kept_boundary(spin.boundary);
-  problem.request.mollification = share_of(spin.mollification);
-  if (!spin.mollification) problem.second_try = 1e-6;
-  return problem;
+  return {std::move(rho), spin.request, false, spin.second_try};
 }
 
 // On a closed surface, a constant shifts the eigenvalue of the Dirac operator, and nothing else.
@@ -142,19 +144,19 @@ void spin(const Spin_options& options, Session& session)
 {
   require_writable(session.options().output);
   const Surface_input input =
-      read_suitable_surface(options.input, session, flat_faces(options.mollification));
+      read_suitable_surface(options.input, session, flat_faces(options.request.mollification));
   if (!session.options().each_component) require_possible(input, options);
   Transformed_surface surface = Transformed_surface::unchanged(input.mesh);
   surface.rho = read_rho(input, options.rho);
-  const CGP::internal::Scale_control scales = scale_control(input, options.scales);
+  const CGP::internal::Scale_control scales = scale_control(input, options);
   const double unit = User_frame(input.mesh).unit();
-  const bool has_effect = scales.factors.size() > 0 || options.exact_class;  // without rho
+  const bool has_effect =
+      scales.factors.size() > 0 || options.request.exact_conformal_class;  // without rho
   each_component(input, session, [&](const Component& component, Session& own) {
     require_possible(component.input, options);
     if (!has_effect && CGP::topology(component.input.mesh).is_closed())
       note_constant_rho(on_component(surface.rho, component, 1), own);
-    Spin_problem problem =
-        problem_of(on_component(surface.rho, component, 1 / unit), options, session.options());
+    Spin_problem problem = problem_of(on_component(surface.rho, component, 1 / unit), options);
     CGP::internal::Scale_control& own_scales = problem.request.scales;
     if (scales.factors.size() > 0) own_scales.factors = scales.factors(component.vertices);
     if (scales.weights.size() > 0) own_scales.weights = scales.weights(component.vertices);

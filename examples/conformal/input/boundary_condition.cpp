@@ -124,10 +124,10 @@ Boundary_condition condition_of(const Surface_input& input, const Prescription_o
 {
   if (!options.tangents_from.empty())
     return directions_of(input, target_surface(input, options.tangents_from),
-                         Boundary_choice::tangents);
+                         Boundary_condition::tangents().direction);
   if (!options.binormals_from.empty())
     return directions_of(input, target_surface(input, options.binormals_from),
-                         Boundary_choice::binormals);
+                         Boundary_condition::binormals().direction);
   if (!options.positions_from.empty())
     return positions_of(target_surface(input, options.positions_from),
                         curves_inside(input, options), options.position_weight);
@@ -144,33 +144,21 @@ Boundary_condition condition_of(const Surface_input& input, const Prescription_o
 
 }  // namespace
 
-Boundary_condition kept_boundary(Boundary_choice choice)
+void require_boundary_to_keep(const Surface_input& input, const Boundary_condition& kept)
 {
-  switch (choice) {
-    case Boundary_choice::tangents:
-      return Boundary_condition::tangents();
-    case Boundary_choice::binormals:
-      return Boundary_condition::binormals();
-    case Boundary_choice::free:
-      break;
-  }
-  return Boundary_condition::free();
-}
-
-void require_boundary_to_keep(const Surface_input& input, Boundary_choice choice)
-{
-  if (choice != Boundary_choice::free && CGP::topology(input.mesh).is_closed())
+  if (kept.kind != Boundary_condition::Kind::free && CGP::topology(input.mesh).is_closed())
     throw unsuitable(input.file.path,
                      "the surface is closed, and has no boundary to keep; try: without --boundary");
 }
 
 Boundary_condition directions_of(const Surface_input& input, const CGP::Mesh_view& target,
-                                 Boundary_choice choice)
+                                 const Eigen::Vector3d& direction)
 {
   const auto frames = CGP::boundary_frames(target);
-  const Boundary_condition condition = choice == Boundary_choice::tangents
-                                           ? Boundary_condition::tangents(axes(frames, 0))
-                                           : Boundary_condition::binormals(axes(frames, 2));
+  CGP::Points directions(3, count(frames));
+  for (Eigen::Index k = 0; k < directions.cols(); ++k)
+    directions.col(k) = frames.frames[static_cast<std::size_t>(k)] * direction;
+  const auto condition = Boundary_condition::directions(direction, std::move(directions));
   require_directions(input, condition);
   return condition;
 }

@@ -1,18 +1,26 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #pragma once
 
-#include "Boundary_options.h"
 #include "Surface_input.h"
 
 #include <Conformal_geometry_processing/spin/Boundary_condition.h>
 
+#include <limits>
+#include <string>
+
 namespace conformal {
 
-/// The corresponding condition of the library
-CGP::Boundary_condition kept_boundary(Boundary_choice choice);
+/// The prescribed boundary: exactly one source is not empty
+struct Prescription_options {
+  std::string tangents_from, binormals_from, positions_from;         ///< files with meshes
+  std::string curves_expression, curves_property;                    ///< positive inside on curves
+  std::string curve;                                                 ///< a file with points
+  std::string tangent_rotation, binormal_tilt;                       ///< formulas
+  double position_weight = std::numeric_limits<double>::infinity();  ///< against conformality
+};
 
 /// \throws Failure if something is to be kept at the boundary of a surface without one
-void require_boundary_to_keep(const Surface_input& input, Boundary_choice choice);
+void require_boundary_to_keep(const Surface_input& input, const CGP::Boundary_condition& kept);
 
 /// \brief the condition that the user prescribes.
 /// \pre the surface has a boundary
@@ -20,10 +28,9 @@ void require_boundary_to_keep(const Surface_input& input, Boundary_choice choice
 CGP::Boundary_condition prescribed_boundary(const Surface_input& input,
                                             const Prescription_options& options);
 
-/// \brief the condition that the boundary has the tangents or the binormals that it has on another
-/// surface with the same faces.
-/// \throws Failure if it is folded there
+/// \brief the condition that the boundary has the directions, of coefficients (t, n, b), that it
+/// has on another surface with the same faces. \throws Failure if it is folded there
 CGP::Boundary_condition directions_of(const Surface_input& input, const CGP::Mesh_view& target,
-                                      Boundary_choice choice);
+                                      const Eigen::Vector3d& direction);
 
 }  // namespace conformal

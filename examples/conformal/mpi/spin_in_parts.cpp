@@ -45,19 +45,12 @@ const char* const spin_about =
     "A result that does not verify is not written, and the exit code is 1.\n"
     "Example: mpirun -n 2 conformal-mpi spin bear.ply --rho-expression 'sin(5*y)' -o out.ply";
 
-struct Options {
-  std::string input, expression;
-  double amplitude = 1, checkpoint = 300;
-  int iterations = 1000;  // a cycle of grids each, not a solve with a factor
-  bool force = false, resume = false;
-  CGP::Spin_report::Limits limits;
-};
-
 /// what every process has to know
 struct Job {
   std::string input, output, expression;
-  double amplitude = 1, tolerance = 0, checkpoint = 0;
-  int iterations = 0;
+  double amplitude = 1, checkpoint = 300;
+  double tolerance = CGP::Dirac_options().tolerance;
+  int iterations = 1000;  // a cycle of grids each, not a solve with a factor
   bool resume = false;
 
   NLOHMANN_DEFINE_TYPE_INTRUSIVE(Job, input, output, expression, amplitude, tolerance, checkpoint,
@@ -65,6 +58,12 @@ struct Job {
 
   /// what a checkpoint depends on
   std::string problem() const { return nlohmann::json{input, expression, amplitude}.dump(); }
+};
+
+struct Options {
+  Job job;
+  bool force = false;
+  CGP::Spin_report::Limits limits;
 };
 
 /// what the first process tells of the result
@@ -183,41 +182,41 @@ void tell(const Told& told, Session& session)
 
 void add_options(CLI::App& command, Options& options, Common_options& common)
 {
-  command.add_option("input", options.input, "binary PLY file with triangles")->required();
+  Job& job = options.job;
+  command.add_option("input", job.input, "binary PLY file with triangles")->required();
   command
-      .add_option("--rho-expression", options.expression,
+      .add_option("--rho-expression", job.expression,
                   "formula in x y z (normalised frame), nx ny nz (outward normal), pi, e")
       ->required()
       ->check(formula);
-  command.add_option("--amplitude", options.amplitude, "multiplies rho")->capture_default_str();
+  command.add_option("--amplitude", job.amplitude, "multiplies rho")->capture_default_str();
   add_output(command, common)->required();
   advanced(command)
-      .add_option("--tolerance", common.tolerance, "of the eigenvector")
+      .add_option("--tolerance", job.tolerance, "of the eigenvector")
       ->check(between_zero_and_one)
       ->capture_default_str();
   advanced(command)
-      .add_option("--iterations", options.iterations, "at most so many of the eigensolver")
+      .add_option("--iterations", job.iterations, "at most so many of the eigensolver")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   advanced(command)
-      .add_option("--checkpoint", options.checkpoint, "seconds between two checkpoints")
+      .add_option("--checkpoint", job.checkpoint, "seconds between two checkpoints")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
-  command.add_flag("--resume", options.resume, "go on from OUTPUT.checkpoint");
+  command.add_flag("--resume", job.resume, "go on from OUTPUT.checkpoint");
   add_limits(command, options.limits, options.force);
 }
 
 Files files(const Options& options)
 {
-  return {{"the input", options.input, Named_file::Role::replaceable}};
+  return {{"the input", options.job.input, Named_file::Role::replaceable}};
 }
 
 void run(const Options& options, Session& session)
 {
-  const Common_options& common = session.options();
-  const Job job{options.input,    common.output,      options.expression, options.amplitude,
-                common.tolerance, options.checkpoint, options.iterations, options.resume};
-  session.set_input(options.input);
+  Job job = options.job;
+  job.output = session.options().output;
+  session.set_input(job.input);
   broadcast(nlohmann::json(job).dump());
   Verdict verdict;
   const auto approve = [&](const Told& told) {
@@ -232,7 +231,7 @@ void run(const Options& options, Session& session)
         do_job(job, go_further, approve);
         return Spin_solution();
       },
-      session);
+      job.tolerance, session);
   session.conclude(verdict, on_fault(options.force));
 }
 

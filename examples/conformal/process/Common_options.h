@@ -13,8 +13,6 @@ enum class Progress_choice { automatic, none, json };
 struct Common_options {
   std::string output, json, html;
   int threads = 1;
-  unsigned seed = 0;
-  double tolerance = 1e-8;
   double max_memory = 0;  ///< in GiB; 0 for half of the machine's
   Progress_choice progress = Progress_choice::automatic;
   bool ascii = false, is_single = false;  ///< how PLY is written

@@ -32,7 +32,7 @@ void Flow_watch::on_flow_begin(const CGP::Mesh_view&, double energy)
 
 void Flow_watch::on_iteration(const CGP::Eigensolver_progress& progress)
 {
-  show(std::log(progress.estimate) / std::log(m_session.options().tolerance),
+  show(std::log(progress.estimate) / std::log(m_options.request.surface.dirac.tolerance),
        ", iteration " + std::to_string(progress.iteration));
 }
 
@@ -53,10 +53,11 @@ void Flow_watch::on_step_end(const CGP::Flow_step_report& step, const CGP::Mesh_
 void Flow_watch::show(double share_of_step, const std::string& more)
 {
   const double share = std::isfinite(share_of_step) ? std::clamp(share_of_step, 0., 1.) : 0;
-  const int step = std::min(m_steps + 1, m_options.steps);
-  m_progress.show({"step", (m_steps + share) / m_options.steps,
-                   "step " + std::to_string(step) + " of " + std::to_string(m_options.steps) +
-                       ", energy " + text_of(m_energy / (4 * std::acos(-1.)), 4) + " * 4 pi" + more,
+  const int step = std::min(m_steps + 1, m_options.request.max_steps);
+  m_progress.show({"step", (m_steps + share) / m_options.request.max_steps,
+                   "step " + std::to_string(step) + " of " +
+                       std::to_string(m_options.request.max_steps) + ", energy " +
+                       text_of(m_energy / (4 * std::acos(-1.)), 4) + " * 4 pi" + more,
                    step});
 }
 
@@ -67,7 +68,8 @@ void Flow_watch::write_snapshot(int step, const CGP::Mesh_view& mesh)
   const CGP::Mesh_view measured = measured_part(m_input.mesh, report.mollification.share > 0);
   report.conformality = CGP::conformality(measured, mesh.positions(),
                                           CGP::neighbourhood_normals(measured, mesh.positions()));
-  const Verdict verdict = judge({mesh.positions(), report}, m_options.limits, easier_than_flow);
+  const Verdict verdict =
+      judge({mesh.positions(), report}, m_options.request.surface.limits, easier_than_flow);
   m_progress.clear();
   std::error_code ignored;
   if (std::filesystem::equivalent(path, m_options.input, ignored))

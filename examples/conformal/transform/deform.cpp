@@ -58,10 +58,9 @@ void note_departures(const Spin_solution& solution, Session& session)
 }
 
 /// what is left out for handles and holes is the same share of a smaller rho, to first order
-bool is_in_vain_to_weaken(CGP::Spin_report report, const CGP::Spin_report::Limits& limits)
+bool is_in_vain_to_weaken(const CGP::Spin_report& report)
 {
   using Fault = CGP::Spin_report::Fault;
-  report.limits = limits;
   const Fault fault = report.fault();
   return fault == Fault::left_out || fault == Fault::nothing_left;
 }
@@ -71,14 +70,14 @@ std::string easier_by_amplitude(const Surface_input& input, const Spin_problem& 
                                 const Spin_options& options, const Spin_solution& refused,
                                 const std::string& easier, Session& session)
 {
-  if (options.force || problem.minimal || is_in_vain_to_weaken(refused.report, options.limits) ||
-      objection(refused.report, refused.positions, options.limits, "").empty())
+  if (options.force || problem.minimal || is_in_vain_to_weaken(refused.report) ||
+      objection(refused.report, refused.positions, refused.report.limits, "").empty())
     return easier;
   const int dear = 400;  // solves: ten times those of most results
   if (refused.report.solves > dear)
     session.note("no result that verifies after " + std::to_string(refused.report.solves) +
                  " solves; looking for an amplitude that does (--force leaves that out)");
-  const Suggestion found = suggested_factor(input.mesh, problem, options.limits, session);
+  const Suggestion found = suggested_factor(input.mesh, problem, session);
   session.report().set("result/suggestion_solves", found.solves);
   if (found.factor == 0) return easier;
   const double amplitude = options.rho.amplitude * found.factor;
@@ -95,24 +94,24 @@ void tell_solution(const Surface_input& input, const CGP::Boundary_condition& bo
   tell_boundary(input.mesh, boundary, spin, outcome.report);
 }
 
-void conclude(const Spin_solution& solution, const Spin_options& options, const std::string& easier,
+void conclude(const Spin_solution& solution, bool is_forced, const std::string& easier,
               Session& session, const std::string& what)
 {
   const Evidence evidence{solution.positions, solution.report};
-  const Verdict verdict = judge(evidence, options.limits, easier);
+  const Verdict verdict = judge(evidence, solution.report.limits, easier);
   const bool has_surface = solution.positions.cols() > 0;  // else there is nothing to write
-  session.conclude(verdict, on_fault(options.force && has_surface), what);
+  session.conclude(verdict, on_fault(is_forced && has_surface), what);
   if (verdict.is_verified()) note_departures(solution, session);
 }
 
 Spin_solution deform(const Surface_input& input, const Spin_problem& problem,
                      const Spin_options& options, const std::string& easier, Session& session)
 {
-  Spin_solution solution = solve_twice(input.mesh, problem, options.limits, session);
+  Spin_solution solution = solve_twice(input.mesh, problem, session);
   session.begin_stage();
   tell_solution(input, problem.request.boundary, solution.report, session.outcome());
   note_what_gives_way(input, solution, session);
-  conclude(solution, options,
+  conclude(solution, options.force,
            easier_by_amplitude(input, problem, options, solution, easier, session), session,
            session.input());
   return solution;

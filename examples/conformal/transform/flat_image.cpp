@@ -155,9 +155,7 @@ Flat_image planar_image(const Surface_input& input, const Flatten_options& optio
     throw unsuitable(input.file.path,
                      "the surface is not a disk (one loop, no handles), wanted for --planar; try: "
                      "without --planar");
-  return projected(
-      input, unbend(input.mesh, eigenvector_of(session.options()), options.limits.closure / 2),
-      options, session);
+  return projected(input, unbend(input.mesh, options.limits.closure / 2), options, session);
 }
 
 }  // namespace

@@ -16,7 +16,6 @@ struct Flow_solution {
 };
 
 /// Calls the library's `Conformal_willmore_flow`. This is the one place that compiles it.
-Flow_solution run_flow(const CGP::Mesh_view& mesh, const Flow_options& options,
-                       const Common_options& common, Flow_watch& watch);
+Flow_solution run_flow(const CGP::Mesh_view& mesh, const Flow_options& options, Flow_watch& watch);
 
 }  // namespace conformal

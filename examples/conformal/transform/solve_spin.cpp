@@ -16,7 +16,6 @@
 #include <string>
 
 namespace conformal {
-namespace {
 
 CGP::Spin_solvers solvers_named(const std::string& name)
 {
@@ -29,29 +28,6 @@ CGP::Spin_solvers solvers_named(const std::string& name)
   if (name == "native") return {};
   throw Failure(Exit_code::usage, "this program was built without the solver " + name +
                                       "; try: --advanced solver=native");
-}
-
-}  // namespace
-
-CGP::Dirac_options eigenvector_of(const Common_options& common)
-{
-  CGP::Dirac_options dirac;
-  dirac.tolerance = common.tolerance;
-  dirac.random_seed = common.seed;
-  return dirac;
-}
-
-CGP::Spin_transformation_options request_of(const Spin_options& spin, const Common_options& common)
-{
-  CGP::Spin_transformation_options request;
-  if (spin.open_handles) request.exactness.reset();
-  request.max_period_defect = spin.max_period_defect;
-  request.exact_conformal_class = spin.exact_class;
-  request.dirac = eigenvector_of(common);
-  request.dirac.problem = spin.problem;
-  request.limits = spin.limits;
-  request.solvers = solvers_named(spin.solver);
-  return request;
 }
 
 Spin_solution solve_spin(const CGP::Mesh_view& mesh, const Spin_problem& problem,

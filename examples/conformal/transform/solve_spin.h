@@ -1,10 +1,6 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #pragma once
 
-#include "Spin_options.h"
-
-#include "conformal/process/Common_options.h"
-
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 #include <Conformal_geometry_processing/operators/Curvature_potential.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
@@ -30,17 +26,12 @@ struct Spin_solution : CGP::Spin_result {
 struct Spin_problem {
   CGP::Curvature_potential rho;
   CGP::Spin_transformation_options request;
-  bool minimal = false;  ///< rho is -H, and gamma has to be zero
-  /// the mollification where a result without does not verify, if any
-  std::optional<double> second_try = std::nullopt;
+  bool minimal = false;                             ///< rho is -H, and gamma has to be zero
+  std::optional<double> second_try = std::nullopt;  ///< see `Spin_options`
 };
 
-/// how eigenvectors are found
-CGP::Dirac_options eigenvector_of(const Common_options& common);
-
-/// \brief what the options request, but for boundary, mollification and scales, which depend on the
-/// surface. \throws Failure if the program was built without the solver
-CGP::Spin_transformation_options request_of(const Spin_options& spin, const Common_options& common);
+/// \throws Failure if the program was built without the solver of this name
+CGP::Spin_solvers solvers_named(const std::string& name);
 
 /// Calls the library's `Spin_transformation`, or `spin_to_minimal_surface()`.
 Spin_solution solve_spin(const CGP::Mesh_view& mesh, const Spin_problem& problem,

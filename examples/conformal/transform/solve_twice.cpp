@@ -21,16 +21,17 @@ struct Attempt {
   std::string fault;
 };
 
-Attempt attempt(const CGP::Mesh_view& mesh, const Spin_problem& problem,
-                const CGP::Spin_report::Limits& limits, Session& session, const std::string& words)
+Attempt attempt(const CGP::Mesh_view& mesh, const Spin_problem& problem, Session& session,
+                const std::string& words)
 {
   const auto solve = [&](const Go_further& go_further) {
     return solve_spin(mesh, problem, go_further);
   };
   Attempt result;
   try {
-    result.solution = watched(solve, session, words);
-    result.fault = objection(result.solution.report, result.solution.positions, limits, "");
+    result.solution = watched(solve, problem.request.dirac.tolerance, session, words);
+    result.fault =
+        objection(result.solution.report, result.solution.positions, problem.request.limits, "");
   } catch (const CGP::Error& error) {  // the matrices of thin faces may not be definite
     const auto* of_solver = dynamic_cast<const CGP::Solver_error*>(&error);
     if (of_solver != nullptr && CGP::is_out_of_memory(*of_solver)) throw;
@@ -66,16 +67,15 @@ bool is_same_surface(const CGP::Mesh_view& mesh, double mollification)
 
 }  // namespace
 
-Spin_solution solve_twice(const CGP::Mesh_view& mesh, const Spin_problem& problem,
-                          const CGP::Spin_report::Limits& limits, Session& session,
+Spin_solution solve_twice(const CGP::Mesh_view& mesh, const Spin_problem& problem, Session& session,
                           const std::string& words)
 {
-  Attempt first = attempt(mesh, problem, limits, session, words);
+  Attempt first = attempt(mesh, problem, session, words);
   if (first.fault.empty() || !problem.second_try || is_same_surface(mesh, *problem.second_try))
     return solution_of(std::move(first));
   Spin_problem again = problem;
   again.request.mollification = problem.second_try;
-  Attempt second = attempt(mesh, again, limits, session, words + "as with --mollify, ");
+  Attempt second = attempt(mesh, again, session, words + "as with --mollify, ");
   if (!second.fault.empty()) return solution_of(std::move(first));
   second.solution.note = "solved as with --mollify: without, " + without_advice(first.fault);
   return solution_of(std::move(second));

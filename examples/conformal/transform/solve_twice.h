@@ -15,8 +15,7 @@ namespace conformal {
 /// problem is solved, and used and noted if it verifies; otherwise the first result is returned.
 /// \param words said before those of progress
 /// \throws Failure on a signal, and exceptions of the library in the first attempt
-Spin_solution solve_twice(const CGP::Mesh_view& mesh, const Spin_problem& problem,
-                          const CGP::Spin_report::Limits& limits, Session& session,
+Spin_solution solve_twice(const CGP::Mesh_view& mesh, const Spin_problem& problem, Session& session,
                           const std::string& words = "");
 
 }  // namespace conformal

@@ -13,14 +13,13 @@
 namespace conformal {
 namespace {
 
-bool has_solution(const CGP::Mesh_view& mesh, const Spin_problem& problem,
-                  const CGP::Spin_report::Limits& limits, Session& session,
+bool has_solution(const CGP::Mesh_view& mesh, const Spin_problem& problem, Session& session,
                   const std::string& words, int& solves)
 {
   try {
-    const Spin_solution solution = solve_twice(mesh, problem, limits, session, words);
+    const Spin_solution solution = solve_twice(mesh, problem, session, words);
     solves += solution.report.solves;
-    return objection(solution.report, solution.positions, limits, "").empty();
+    return objection(solution.report, solution.positions, problem.request.limits, "").empty();
   } catch (const CGP::Solver_error& error) {
     if (CGP::is_out_of_memory(error)) throw;
     return false;
@@ -30,7 +29,7 @@ bool has_solution(const CGP::Mesh_view& mesh, const Spin_problem& problem,
 }  // namespace
 
 Suggestion suggested_factor(const CGP::Mesh_view& mesh, const Spin_problem& refused,
-                            const CGP::Spin_report::Limits& limits, Session& session)
+                            Session& session)
 {
   const int most_tries = 4, most_solves = 1000;
   Suggestion found;
@@ -41,7 +40,7 @@ Suggestion suggested_factor(const CGP::Mesh_view& mesh, const Spin_problem& refu
     Spin_problem weaker = refused;
     weaker.rho.values *= factor;
     const std::string words = "rho times " + text_of(factor) + ", ";
-    const bool works = has_solution(mesh, weaker, limits, session, words, found.solves);
+    const bool works = has_solution(mesh, weaker, session, words, found.solves);
     (works ? found.factor : fails) = factor;
   }
   return found;

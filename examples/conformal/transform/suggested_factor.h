@@ -20,6 +20,6 @@ struct Suggestion {
 /// Costs up to four solutions of the problem, and no further one after 1,000 solves.
 /// \throws Failure if a signal comes
 Suggestion suggested_factor(const CGP::Mesh_view& mesh, const Spin_problem& refused,
-                            const CGP::Spin_report::Limits& limits, Session& session);
+                            Session& session);
 
 }  // namespace conformal

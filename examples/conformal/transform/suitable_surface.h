@@ -21,13 +21,7 @@ Surface_input read_suitable_surface(const std::string& path, Session& session,
 /// what `--mollify` makes of faces of area zero
 inline Flat_faces flat_faces(const std::optional<double>& mollification)
 {
-  return mollification.value_or(0) > 0 ? Flat_faces::allowed : Flat_faces::refused;
-}
-
-/// the share that is requested of the library, where 0 stands for none
-inline std::optional<double> share_of(const std::optional<double>& mollification)
-{
-  return mollification.value_or(0) > 0 ? mollification : std::nullopt;
+  return mollification ? Flat_faces::allowed : Flat_faces::refused;
 }
 
 /// Likewise, for surfaces with a boundary only (of components, that is required when their turn

@@ -53,12 +53,11 @@ bool Unbent_surface::is_flat() const
 
 // Whether the next surface is a minimal one with these tangents to a tolerance says little about
 // whether it is nearer to the plane, so `Spin_report::Boundary_fault` does not count here.
-Unbent_surface unbend(const CGP::Mesh_view& mesh, const CGP::Dirac_options& options, double closure)
+Unbent_surface unbend(const CGP::Mesh_view& mesh, double closure)
 {
   CGP::Spin_transformation_options own{
       CGP::Boundary_condition::tangents(CGP::planar_directions(mesh))};
   own.exactness = std::nullopt;
-  own.dirac = options;
   own.dirac.branch = CGP::Dirac_options::Branch::zero;
   Unbent_surface unbent;
   unbent.result.positions = mesh.positions();

@@ -22,7 +22,6 @@ struct Unbent_surface {
 /// There is a plane image [Riemann], and each step goes to it from where the last one led: all of
 /// the way, or the largest power of two of it with which edges close up and no face is flipped.
 /// \param closure the largest closure residual of a step
-Unbent_surface unbend(const CGP::Mesh_view& mesh, const CGP::Dirac_options& options,
-                      double closure);
+Unbent_surface unbend(const CGP::Mesh_view& mesh, double closure);
 
 }  // namespace conformal

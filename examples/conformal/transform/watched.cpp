@@ -10,7 +10,7 @@
 namespace conformal {
 
 Spin_solution watched(const std::function<Spin_solution(const Go_further&)>& solve,
-                      Session& session, const std::string& words)
+                      double tolerance, Session& session, const std::string& words)
 {
   const int dear = 250;  // iterations: some ten times those of most results
   int calls = 0;
@@ -22,7 +22,7 @@ Spin_solution watched(const std::function<Spin_solution(const Go_further&)>& sol
       session.note("this takes long: " + std::to_string(dear) +
                    " iterations, where most results take 20 to 40; a signal (Ctrl-C) ends it");
     }
-    progress.show({"iteration", std::log(p.estimate) / std::log(session.options().tolerance),
+    progress.show({"iteration", std::log(p.estimate) / std::log(tolerance),
                    words + "iteration " + std::to_string(p.iteration + 1) + ", residual " +
                        text_of(p.estimate, 2),
                    p.iteration + 1});

@@ -12,9 +12,10 @@ namespace conformal {
 
 /// \brief Solves under a line of progress, unless a signal comes. Notes, once, that the search
 /// takes long, and that it has ended before it was done.
+/// \param tolerance of the search, for its share that is done
 /// \param words said before those of progress
 /// \throws Failure if one has come, and what `solve` throws
 Spin_solution watched(const std::function<Spin_solution(const Go_further&)>& solve,
-                      Session& session, const std::string& words = "");
+                      double tolerance, Session& session, const std::string& words = "");
 
 }  // namespace conformal

@@ -23,13 +23,12 @@ CGP::Flow_options flow_options(const py::dict& options, const CGP::Mesh_view& me
   take(options, "min_time_step", o.min_time_step);
   take(options, "max_steps", o.max_steps);
   take(options, "energy_tolerance", o.energy_tolerance);
-  take(options, "exact_conformal_class", o.exact_conformal_class);
   take(options, "fairing", o.fairing);
-  take(options, "max_scale", o.scale_bound);
+  take(options, "max_scale", o.surface.scales.bound);
   take(options, "filter_weight", o.filter_weight);
   take(options, "filter_order", o.filter_order);
-  take(options, "random_seed", o.dirac.random_seed);
-  take_closing(options, function, o);
+  take(options, "random_seed", o.surface.dirac.random_seed);
+  take_surface(options, mesh, function, o.surface);
   choose(
       options, "balance",
       {{"none", Balance::none}, {"initial", Balance::initial}, {"canonical", Balance::canonical}},
@@ -39,9 +38,6 @@ CGP::Flow_options flow_options(const py::dict& options, const CGP::Mesh_view& me
          function);
   o.target_areas = take_numbers(options, "target_areas", function);
   if (o.target_areas.size() > 0) o.balance = Balance::prescribed;
-  py::object condition = py::none();
-  take(options, "boundary", condition);
-  o.boundary = boundary_condition(condition, mesh, function);
   return o;
 }
 

@@ -43,14 +43,17 @@ Eigen::VectorXd take_numbers(const py::dict& options, const char* name, const st
   return given.size() == 0 ? Eigen::VectorXd() : numbers(given, function, name);
 }
 
-std::optional<CGP::Exactness> exactness(const py::dict& options, const std::string& function)
+void take_closing(const py::dict& options, const std::string& function,
+                  CGP::Spin_transformation_options& o)
 {
-  if (options.contains("exactness") && options["exactness"].is_none()) return std::nullopt;
   CGP::Exactness chosen = CGP::Exactness::adjoint;
   choose(options, "exactness",
          {{"adjoint", CGP::Exactness::adjoint}, {"thesis", CGP::Exactness::thesis}}, chosen,
          function);
-  return chosen;
+  o.exactness = chosen;
+  if (options.contains("exactness") && options["exactness"].is_none()) o.exactness.reset();
+  take(options, "max_period_defect", o.max_period_defect);
+  take(options, "mollification", o.mollification);
 }
 
 Eigen::Vector3d direction_of(const py::object& direction, const std::string& function)
@@ -102,16 +105,22 @@ CGP::Dirac_options dirac_options(const py::dict& options, const std::string& fun
   return o;
 }
 
-CGP::Spin_transformation_options transformation_options(const py::dict& options,
-                                                        const CGP::Mesh_view& mesh,
-                                                        const std::string& function)
+void take_surface(const py::dict& options, const CGP::Mesh_view& mesh, const std::string& function,
+                  CGP::Spin_transformation_options& o)
 {
-  CGP::Spin_transformation_options o;
   py::object condition = py::none();
   take(options, "boundary", condition);
   o.boundary = boundary_condition(condition, mesh, function);
   take_closing(options, function, o);
   take(options, "exact_conformal_class", o.exact_conformal_class);
+}
+
+CGP::Spin_transformation_options transformation_options(const py::dict& options,
+                                                        const CGP::Mesh_view& mesh,
+                                                        const std::string& function)
+{
+  CGP::Spin_transformation_options o;
+  take_surface(options, mesh, function, o);
   o.scales.factors = take_numbers(options, "vertex_scale", function);
   o.scales.weights = take_numbers(options, "vertex_scale_weight", function);
   if (options.contains("max_scale"))

@@ -56,17 +56,9 @@ void choose(const py::dict& options, const char* name,
 Eigen::VectorXd take_numbers(const py::dict& options, const char* name,
                              const std::string& function);
 
-/// adjoint, thesis, or None for none
-std::optional<CGP::Exactness> exactness(const py::dict& options, const std::string& function);
-
-/// exactness, max_period_defect and mollification
-template <class Options>
-void take_closing(const py::dict& options, const std::string& function, Options& o)
-{
-  o.exactness = exactness(options, function);
-  take(options, "max_period_defect", o.max_period_defect);
-  take(options, "mollification", o.mollification);
-}
+/// exactness (adjoint, thesis, or None for none), max_period_defect and mollification
+void take_closing(const py::dict& options, const std::string& function,
+                  CGP::Spin_transformation_options& o);
 
 /// three numbers
 Eigen::Vector3d direction_of(const py::object& direction, const std::string& function);
@@ -76,6 +68,10 @@ CGP::Boundary_condition boundary_condition(const py::object& condition, const CG
                                            const std::string& function);
 
 CGP::Dirac_options dirac_options(const py::dict& options, const std::string& function);
+
+/// boundary, exact_conformal_class, and how the surface is closed and mollified
+void take_surface(const py::dict& options, const CGP::Mesh_view& mesh, const std::string& function,
+                  CGP::Spin_transformation_options& o);
 
 /// The options of a transformation; max_scale None is no bound, and without it that is the default.
 CGP::Spin_transformation_options transformation_options(const py::dict& options,

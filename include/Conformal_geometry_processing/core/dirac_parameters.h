@@ -30,18 +30,6 @@ Spin_solvers spin_solvers(const NamedParameters& np)
   return parameter_or(np, internal_np::sparse_solver, Spin_solvers());
 }
 
-/// \brief reads how handles stay closed, the mollification and the solvers.
-/// \tparam Options has exactness, mollification and solvers
-template <class Options, class NamedParameters>
-void read_exactness_and_mollification(const NamedParameters& np, Options& options)
-{
-  if constexpr (has_parameter<NamedParameters, internal_np::exactness_t>)
-    options.exactness = CGAL::parameters::get_parameter(np, internal_np::exactness);
-  if constexpr (has_parameter<NamedParameters, internal_np::mollification_t>)
-    options.mollification = CGAL::parameters::get_parameter(np, internal_np::mollification);
-  options.solvers = parameter_or(np, internal_np::sparse_solver, options.solvers);
-}
-
 /// passes the progress of an eigensolver to the visitor of the named parameters, and asks whether
 /// to go further; the visitor must outlive it
 template <class Visitor>

@@ -51,6 +51,18 @@ void read_scale_control(const Graph_view<TriangleMesh>& graph, const NamedParame
     control.bound = default_bound(options);
 }
 
+/// reads how handles stay closed, the mollification and the solvers
+template <class NamedParameters>
+void read_exactness_and_mollification(const NamedParameters& np,
+                                      Spin_transformation_options& options)
+{
+  if constexpr (has_parameter<NamedParameters, internal_np::exactness_t>)
+    options.exactness = CGAL::parameters::get_parameter(np, internal_np::exactness);
+  if constexpr (has_parameter<NamedParameters, internal_np::mollification_t>)
+    options.mollification = CGAL::parameters::get_parameter(np, internal_np::mollification);
+  options.solvers = parameter_or(np, internal_np::sparse_solver, options.solvers);
+}
+
 /// reads what named parameters request of a spin transformation, but for the boundary and scales
 template <class NamedParameters>
 void read_request(const NamedParameters& np, Spin_transformation_options& options)

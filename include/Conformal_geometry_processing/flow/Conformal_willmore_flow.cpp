@@ -70,15 +70,15 @@ Conformal_willmore_flow::Conformal_willmore_flow(const Mesh_view& mesh, const Fl
       m_energy(m_initial_energy),
       m_energy_of_input(energy_of_faces(m_initial.positions())),
       m_time_step(options.time_step, (std::min)(options.min_time_step, options.time_step),
-                  options.exact_conformal_class
+                  options.surface.exact_conformal_class
                       ? (std::max)(options.time_step / 4,
                                    (std::min)(options.min_time_step, options.time_step))
                       : options.time_step)
 {
-  if (options.scale_bound) m_scale_bound.emplace(m_initial, *options.scale_bound);
-  if (options.exact_conformal_class) m_class.emplace(m_initial, options.boundary);
-  if (m_faces && !options.mollification && boundary_loops(mesh).empty()) make_filter();
-  if (!options.mollification) return;
+  if (options.surface.scales.bound) m_scale_bound.emplace(m_initial, *options.surface.scales.bound);
+  if (options.surface.exact_conformal_class) m_class.emplace(m_initial, options.surface.boundary);
+  if (m_faces && !options.surface.mollification && boundary_loops(mesh).empty()) make_filter();
+  if (!options.surface.mollification) return;
   m_well_shaped = well_shaped_part(m_initial);
   if (m_class) m_mollification = mollification_on_class();
 }
@@ -103,14 +103,12 @@ inline void keep_first_directions(const Mesh_view& mesh, Boundary_condition& con
 Spin_transformation_options Conformal_willmore_flow::transformation_options(
     const Mesh_view& initial, const Flow_options& options)
 {
-  Spin_transformation_options own;
-  own.boundary = options.boundary;
-  if (options.exact_conformal_class) internal::keep_first_directions(initial, own.boundary);
-  own.exactness = options.exactness;
-  own.max_period_defect = options.max_period_defect;
-  if (!options.exact_conformal_class) own.mollification = options.mollification;
-  own.solvers = options.solvers;
-  own.dirac = options.dirac;
+  Spin_transformation_options own = options.surface;
+  own.scales = {};  // of the whole flow, see `internal::Scale_bound`
+  if (!own.exact_conformal_class) return own;
+  internal::keep_first_directions(initial, own.boundary);
+  own.mollification.reset();  // the faces are those of `on_class()`
+  own.exact_conformal_class = false;
   return own;
 }
 
@@ -119,7 +117,7 @@ double Conformal_willmore_flow::energy_of(const Mesh_view& mesh) const
   const internal::Curvature_direction_ref& direction = m_direction.unconstrained();
   const Mesh_view framed = in_frame(mesh);
   if (!m_transformation.domain().is_mollified()) return direction.energy(mesh, framed);
-  return direction.energy(mesh, Delaunay_view(framed, *m_options.mollification));
+  return direction.energy(mesh, Delaunay_view(framed, *m_options.surface.mollification));
 }
 
 Mesh_view Conformal_willmore_flow::in_frame(const Mesh_view& mesh)

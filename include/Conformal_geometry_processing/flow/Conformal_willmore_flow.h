@@ -319,7 +319,7 @@ class Conformal_willmore_flow {
   /// what is left of it to be turned
   double turning_angle() const
   {
-    return m_options.boundary.targets.cols() > 0 ? direction_error().mean : 0;
+    return m_options.surface.boundary.targets.cols() > 0 ? direction_error().mean : 0;
   }
   bool is_turning() const { return turning_angle() > 0.01; }
 

@@ -22,10 +22,10 @@ namespace Conformal_geometry_processing {
 Mesh_view Conformal_willmore_flow::on_class(const Mesh_view& mesh, const Flow_options& options,
                                             const std::string& function)
 {
-  internal::Framed_surface::require(mesh, options.mollification, function);
-  if (!options.exact_conformal_class) return mesh;
-  if (!options.mollification) return internal::simple_delaunay(mesh);
-  const double share = *options.mollification;
+  internal::Framed_surface::require(mesh, options.surface.mollification, function);
+  if (!options.surface.exact_conformal_class) return mesh;
+  if (!options.surface.mollification) return internal::simple_delaunay(mesh);
+  const double share = *options.surface.mollification;
   Mesh_view opened = internal::with_opened_faces(internal::simple_delaunay(mesh, share), share);
   require_surface(opened, function);
   return opened;
@@ -34,13 +34,13 @@ Mesh_view Conformal_willmore_flow::on_class(const Mesh_view& mesh, const Flow_op
 std::optional<Mesh_view> Conformal_willmore_flow::other_faces() const
 {
   if (m_initial.corners() == m_input.corners()) return std::nullopt;
-  return m_options.mollification ? well_shaped_part(m_input).mesh : m_input;
+  return m_options.surface.mollification ? well_shaped_part(m_input).mesh : m_input;
 }
 
 void Conformal_willmore_flow::make_filter()
 {
   try {
-    m_filter.emplace(in_frame(m_input), m_options.solvers);
+    m_filter.emplace(in_frame(m_input), m_options.surface.solvers);
   } catch (const Solver_error& error) {
     if (is_out_of_memory(error)) throw;
   }
@@ -52,7 +52,7 @@ Points Conformal_willmore_flow::written(const Points& positions) const
   const double error = .05;  // of good faces
   Points settled = m_filter->settled(positions);
   const bool is_smoother = energy_of_faces(settled) < (1 - error) * energy_of_faces(positions);
-  const auto fault = [&] { return map_to(*m_faces, settled).fault(m_options.limits); };
+  const auto fault = [&] { return map_to(*m_faces, settled).fault(m_options.surface.limits.map); };
   return is_smoother && fault() == Conformality::Fault::none ? settled : positions;
 }
 
@@ -65,7 +65,7 @@ Mesh_view Conformal_willmore_flow::shown() const
 
 double Conformal_willmore_flow::energy_of_faces(const Points& positions) const
 {
-  if (!m_faces || m_options.mollification) return m_energy;
+  if (!m_faces || m_options.surface.mollification) return m_energy;
   Mesh_view faces = *m_faces;
   faces.set_positions(positions);
   return energy_of(faces);
@@ -82,11 +82,11 @@ std::string Conformal_willmore_flow::beyond(const Conformality& map,
   const Points positions = written(found);
   const Conformality of_faces = map_to(*m_faces, positions);
   const double Q = (std::max)(of_faces.quasi_conformal.mean, of_faces.quasi_conformal_of_new_area);
-  if (const auto fault = of_faces.fault(m_options.limits); fault != none)
+  if (const auto fault = of_faces.fault(m_options.surface.limits.map); fault != none)
     return prefix + to_string(fault) +
            " on the faces of the input, which are not Delaunay (mean Q " + std::to_string(Q) +
            ", " + std::to_string(of_faces.flipped_faces) + " flipped)";
-  if (m_options.mollification) return {};
+  if (m_options.surface.mollification) return {};
   const double error = .01;  // of the energy on such faces
   const double rise = energy_of_faces(positions) - m_energy_of_input;
   return rise > forbidden_rise() + error * m_energy_of_input
@@ -130,7 +130,8 @@ bool Conformal_willmore_flow::fair(Flow_step_report& report)
   const auto is_better = [&](const Points& f) {
     m_next.set_positions(f);
     energy = energy_of(m_next);
-    return energy < m_energy && move_on(energy, m_options.limits, report) == Verdict::good;
+    return energy < m_energy &&
+           move_on(energy, m_options.surface.limits.map, report) == Verdict::good;
   };
   return m_class->smoothed(m_mesh, is_better).has_value();
 }
@@ -224,7 +225,7 @@ void Conformal_willmore_flow::polish()
   Points f = m_mesh.positions();
   try {
     m_class->polish(f);
-    if (!beyond(map_to(measured(), f), m_options.limits, f).empty()) return;
+    if (!beyond(map_to(measured(), f), m_options.surface.limits.map, f).empty()) return;
     m_transformation.set_positions(f);
   } catch (const Error&) {
     return;
@@ -242,7 +243,7 @@ internal::Well_shaped_faces Conformal_willmore_flow::well_shaped_part(const Mesh
 
 Spin_report::Mollification Conformal_willmore_flow::mollification_on_class() const
 {
-  const double share = *m_options.mollification;
+  const double share = *m_options.surface.mollification;
   const std::set<std::array<int, 2>> edges(m_input.ends().begin(), m_input.ends().end());
   Spin_report::Mollification made;
   made.share = share;
@@ -265,7 +266,7 @@ Conformality Conformal_willmore_flow::map_to(const Mesh_view& measured, const Po
 
 Conformality::Limits Conformal_willmore_flow::spin_limits() const
 {
-  Conformality::Limits limits = m_options.limits;
+  Conformality::Limits limits = m_options.surface.limits.map;
   if (m_class && m_options.backtracking)
     limits.quasi_conformal = (std::min)(limits.quasi_conformal, m_options.max_spin_distortion);
   return limits;

@@ -22,10 +22,13 @@ const Flow_options& checked(const Flow_options& o, const std::string& function)
           "zero or a positive number is needed");
   require(o.filter_order >= 0, "an order of " + std::to_string(o.filter_order),
           "0, 1, 2, ... are possible");
-  require(!o.scale_bound || (*o.scale_bound > 1 && std::isfinite(*o.scale_bound)),
-          "a scale bound of " + std::to_string(o.scale_bound.value_or(0)),
+  const internal::Scale_control& scales = o.surface.scales;
+  require(!scales.bound || (*scales.bound > 1 && std::isfinite(*scales.bound)),
+          "a scale bound of " + std::to_string(scales.bound.value_or(0)),
           "a number above 1 is needed");
-  require(o.boundary.kind != Boundary_condition::Kind::positions,
+  require(scales.factors.size() == 0 && scales.weights.size() == 0, "sizes are wanted or locked",
+          "a flow can keep a bound only");
+  require(o.surface.boundary.kind != Boundary_condition::Kind::positions,
           "positions are prescribed at the boundary", "a flow can keep directions only");
   return o;
 }

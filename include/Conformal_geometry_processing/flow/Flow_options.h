@@ -1,11 +1,7 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #pragma once
 
-#include <Conformal_geometry_processing/forms/exactness_functions.h>
-#include <Conformal_geometry_processing/measure/Conformality.h>
-#include <Conformal_geometry_processing/spin/Boundary_condition.h>
-#include <Conformal_geometry_processing/spin/Dirac_solution.h>
-#include <Quaternionic_linear_algebra/direct/Solver_ref.h>
+#include <Conformal_geometry_processing/spin/Spin_transformation.h>
 #include <Quaternionic_linear_algebra/exceptions.h>
 
 #include <Eigen/Core>
@@ -35,6 +31,29 @@ struct Flow_options {
     prescribed  ///< `Flow_options::target_areas`
   };
 
+  Flow_options() { surface.exact_conformal_class = true; }
+
+  /// \brief what is requested of the surfaces, relative to the initial one.
+  ///
+  /// - `exact_conformal_class`, by default true: every step ends with the nearest surface of the
+  ///   exact discrete conformal class of the initial one. Otherwise surfaces drift by the
+  ///   discretisation error, also in their conformal type [CGP 6.4]. The connectivity is then that
+  ///   of the intrinsic Delaunay triangulation of the initial surface; time steps begin with a
+  ///   quarter of `time_step`. The way to the class leaves directions at a boundary as they are,
+  ///   see `internal::Class_keeper`
+  /// - `boundary`: directions, or free. Those that are kept are the first ones in every step
+  /// - `exactness`: with a boundary, always the adjoint
+  /// - `max_period_defect`: in one step; more is removed as far as possible, see
+  ///   `internal::closed_spins()`
+  /// - `mollification`: distortion is then measured on the `well_shaped_faces()` of the initial
+  ///   mesh. On the exact class, edges are flipped by mollified lengths, and what is left without
+  ///   area is opened, see `internal::with_opened_faces()`. Off the class, curvature and energy are
+  ///   computed on the triangulation, if the direction takes a `Surface_ref`
+  /// - `limits.map`: the flow stops at the last step whose map is within them
+  /// - `scales.bound`: limbs, and what is behind a thin neck, become no smaller; the flow ends with
+  ///   the least energy that this admits. No other part of `scales` is possible
+  Spin_transformation_options surface;
+
   /// tau in rho = -tau H. The flow is stable for 0 < tau < 2 on every mesh; tau = 1 removes high
   /// frequencies in one step. Near the round sphere a bump of degree k is multiplied by 1 - tau (1
   /// - 2 / (k (k + 1))). The thesis writes tau = 2 tau', so its bound is tau' < 1.
@@ -51,16 +70,6 @@ struct Flow_options {
   std::optional<double> max_step_distortion = std::nullopt;
   double max_step_closure = 0.1;  ///< closure residual of one step
 
-  /// whether surfaces stay on the exact discrete conformal class of the initial one: every step
-  /// ends with the nearest surface of the class. Otherwise they drift by the discretisation error,
-  /// also in their conformal type [CGP 6.4]. The connectivity is then that of the intrinsic
-  /// Delaunay triangulation of the initial surface; time steps begin with a quarter of `time_step`.
-  ///
-  /// At a boundary, a free one moves with the rest; directions that are kept are the first ones in
-  /// every step, not those of the last surface, and the way to the class leaves them as they are,
-  /// see `internal::Class_keeper`
-  bool exact_conformal_class = true;
-
   /// whether each step on the exact class begins with smoothing within it, see
   /// `internal::Fairing`. Without effect with a filter, which is to keep the shape, with directions
   /// that have no energy, and without backtracking
@@ -70,36 +79,12 @@ struct Flow_options {
   /// exact class are transformed; beyond it they are smoothed only, which distorts them less
   double max_spin_distortion = 1.25;
 
-  /// what the map from the initial surface must not exceed: the flow stops at the last step within
-  /// the limits
-  Conformality::Limits limits;
-
-  /// > 1: lengths stay within this factor of those of the initial surface, on 98 % of its area, and
-  /// within 1.5 times it on 99.8 %. Limbs, and what is behind a thin neck, become no smaller: the
-  /// flow ends with the least energy that this admits. None: no bound
-  std::optional<double> scale_bound = std::nullopt;
-
   /// stop if the energy changes by less than this share of it in a time of 1; if it tends to zero,
   /// of a hundredth of the initial energy
   double energy_tolerance = 1e-4;
   double direction_tolerance = 1e-4;  ///< stop if the constraints leave less than this share of the
                                       ///< direction, or of the curvature of a round sphere
 
-  /// how rho is constrained so that surfaces close up around handles and holes; if empty, they are
-  /// sheared beyond recognition. With a boundary, always the adjoint
-  std::optional<Exactness> exactness = Exactness::adjoint;
-
-  /// the largest part of the edges that may fail to close up in one step; more is removed as far as
-  /// possible, by small changes of rho and of the spins, see `internal::closed_spins()`. None: a
-  /// quarter of the discretisation error of the step, see `internal::Period_limit`
-  std::optional<double> max_period_defect = std::nullopt;
-
-  /// admits faces of any thinness, see `Spin_transformation_options`. Distortion is then measured
-  /// on the `well_shaped_faces()` of the initial mesh. On the exact class, edges are flipped by
-  /// mollified lengths, and what is left without area is opened, see
-  /// `internal::with_opened_faces()`: the flow has a mesh like others. Off the class, curvature and
-  /// energy are computed on the triangulation, if the direction takes a `Surface_ref`
-  std::optional<double> mollification = std::nullopt;
   /// sigma > 0 removes low frequencies from the direction, which preserves the overall shape; zero:
   /// no filter. See `Curvature_filter` for the units and the order.
   double filter_weight = 0;
@@ -108,12 +93,6 @@ struct Flow_options {
   Balance balance = Balance::none;
   Balancing balancing = Balancing::inversion;
   Eigen::VectorXd target_areas;  ///< for `Flow_options::Balance::prescribed`, |V| positive numbers
-
-  /// the condition at the boundary, if the surface has one: directions, or free
-  Boundary_condition boundary;
-
-  Dirac_options dirac;
-  Spin_solvers solvers = {};  ///< for the linear systems
 };
 
 /// \relates Flow_options
