@@ -1,6 +1,7 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/spin/Conformal_deformation.h>
 
+#include <Conformal_geometry_processing/spin/Relaxed_positions.h>
 #include <Conformal_geometry_processing/spin/certify.h>
 #include <Quaternionic_linear_algebra/algebra/rotor.h>
 #include <Quaternionic_linear_algebra/exceptions.h>
@@ -36,6 +37,14 @@ inline Conformal_deformation_options options_in(const std::optional<Region_of_in
   return options;
 }
 
+struct Conformal_deformation::Search : Relaxed_positions {
+  Search(Transformation& transformation, Problem problem, const Points& targets)
+      : Relaxed_positions(transformation, std::move(problem), targets), initial(state())
+  {}
+
+  const State initial;  // of the surface that is deformed
+};
+
 Conformal_deformation::Conformal_deformation(const Mesh_view& mesh,
                                              const Conformal_deformation_options& options,
                                              const std::string& function)
@@ -50,6 +59,8 @@ Conformal_deformation::Conformal_deformation(const Mesh_view& mesh,
   else
     require_region(mesh, options.region, function);
 }
+
+Conformal_deformation::~Conformal_deformation() = default;
 
 // Which parts move is known from the control points only.
 void Conformal_deformation::set_region(Eigen::VectorXd weights)
@@ -111,18 +122,17 @@ auto Conformal_deformation::search(const std::vector<Control_point>& points,
   if (!has_run) {
     const double w = m_options.position_weight;
     const Eigen::VectorXd no_rho = Eigen::VectorXd::Zero(m_transformation->system().areas().size());
-    m_positions = std::make_unique<Relaxed_positions>(
+    m_positions = std::make_unique<Search>(
         *m_transformation,
         Relaxed_positions::Problem{
             points, {}, no_rho, m_options.surface.scales, w * w, number_of_anchors()},
         targets);
-    m_initial = m_positions->state();
   }
   m_positions->reset_costs();
   m_positions->renew_budget();
   Walk found = walk(points, go_further);
   if (!has_run || found.reached == 1 || found.is_cancelled) return found;
-  m_positions->restart(m_initial);
+  m_positions->restart(m_positions->initial);
   return walk(points, go_further);
 }
 

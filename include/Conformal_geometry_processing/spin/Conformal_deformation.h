@@ -3,7 +3,6 @@
 
 #include <Conformal_geometry_processing/spin/Control_point.h>
 #include <Conformal_geometry_processing/spin/Region_of_interest.h>
-#include <Conformal_geometry_processing/spin/Relaxed_positions.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
 #include <Quaternionic_linear_algebra/krylov/Visit_guard.h>
 
@@ -63,6 +62,7 @@ class Conformal_deformation {
   explicit Conformal_deformation(const Mesh_view& mesh,
                                  const Conformal_deformation_options& options = {},
                                  const std::string& function = "Conformal_deformation");
+  ~Conformal_deformation();
 
   /// \brief deforms the surface that was given to the constructor.
   ///
@@ -91,6 +91,8 @@ class Conformal_deformation {
   const Eigen::VectorXd& region() const { return m_weights; }
 
  private:
+  struct Search;  // `Relaxed_positions`, and where they began
+
   /// how far control points have come
   struct Walk {
     double reached = 0;  // share of the way
@@ -135,8 +137,7 @@ class Conformal_deformation {
   std::optional<Region_of_interest> m_region;  // none: the whole mesh
   Conformal_deformation_options m_options;     // for what moves
   std::optional<Spin_transformation> m_transformation;
-  std::unique_ptr<Relaxed_positions> m_positions;  // of the last points; refers to members before
-  Relaxed_positions::State m_initial;              // the surface that is deformed
+  std::unique_ptr<Search> m_positions;  // of the last points; refers to members before
   Curvature_potential m_rho;
 };
 
