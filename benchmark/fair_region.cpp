@@ -11,6 +11,8 @@
 /// spheres and parts of tori, where the distance from the smooth surface is known; on meshes the
 /// distance is that from the faces that were cut out.
 #include <Conformal_geometry_processing/conformal_fairing.h>
+#include <Conformal_geometry_processing/flow/Bending_energy.h>
+#include <Conformal_geometry_processing/mesh/normals.h>
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
 #include <CGAL/AABB_traits.h>

@@ -27,7 +27,7 @@ else()
   endif()
   list(GET all_at_once_arguments 0 cgal_package_arguments) # header-only, a third of g++'s time
   foreach(what headers_alone hostile_macros two_units layers licences mirrored_tests format lengths
-               heads performance thesis_map manual manual_tasks public_types
+               heads includes performance thesis_map manual manual_tasks public_types
                reference developers subcommands cgal_package)
     add_test(NAME sources.${what} COMMAND ${Python3_EXECUTABLE}
              ${CMAKE_CURRENT_SOURCE_DIR}/tools/check_${what}.py ${${what}_arguments})

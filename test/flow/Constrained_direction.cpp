@@ -2,6 +2,7 @@
 #include <Conformal_geometry_processing/flow/Constrained_direction.h>
 #include <Conformal_geometry_processing/flow/Curvature_direction_ref.h>
 #include <Conformal_geometry_processing/mesh/normals.h>
+#include <Conformal_geometry_processing/operators/mass_matrices.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
 
 #include <gtest/gtest.h>
