@@ -1,4 +1,4 @@
-// Tests include/Conformal_geometry_processing/isometric_curve_flow.h core/point_ranges.h
+// Tests include/Conformal_geometry_processing/isometric_curve_flow.h
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/isometric_curve_flow.h>
 

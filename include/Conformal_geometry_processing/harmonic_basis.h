@@ -1,22 +1,189 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #pragma once
 
+#include <Conformal_geometry_processing/core/Conformal_mesh_traits.h>
 #include <Conformal_geometry_processing/core/Graph_view.h>
-#include <Conformal_geometry_processing/core/Harmonic_forms.h>
 #include <Conformal_geometry_processing/core/dirac_parameters.h>
 #include <Conformal_geometry_processing/core/geometry_traits.h>
 #include <Conformal_geometry_processing/core/named_parameters.h>
+#include <Conformal_geometry_processing/forms/Harmonic_basis.h>
 #include <Conformal_geometry_processing/forms/Hodge_decomposition.h>
 #include <Conformal_geometry_processing/mesh/Normalized_frame.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>
+#include <Conformal_geometry_processing/mesh/topology.h>
 #include <Conformal_geometry_processing/operators/cotan_laplacian.h>
 #include <Conformal_geometry_processing/operators/vertex_graph.h>
 #include <Quaternionic_linear_algebra/direct/Solver_ref.h>
 
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <cstddef>
+#include <memory>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace Conformal_geometry_processing {
+namespace internal {
+
+/// \ingroup PkgForms
+/// \brief The harmonic 1-forms of a mesh and their tangent fields, as property maps of its
+/// halfedges and faces: the result of `harmonic_basis()`.
+///
+/// A value type; copies and maps share the numbers and keep them alive. They do not refer to the
+/// mesh, which may be changed or destroyed. Maps remain valid for the elements that the mesh had,
+/// and throw `Precondition_error` for unknown ones. Each access costs a hash table look-up.
+///
+/// \tparam TriangleMesh see \ref triangle_mesh_requirements
+/// \tparam Vector_ constructed from three numbers
+template <class TriangleMesh, class Vector_>
+class Harmonic_forms {
+  using Graph_traits = boost::graph_traits<TriangleMesh>;
+  struct Data;
+
+ public:
+  using halfedge_descriptor = typename Graph_traits::halfedge_descriptor;
+  using face_descriptor = typename Graph_traits::face_descriptor;
+  using Vector = Vector_;
+
+  /// \brief A 1-form: its integral along each halfedge; opposite halfedges have opposite values.
+  ///
+  /// A model of `ReadablePropertyMap`.
+  class One_form_map {
+   public:
+    using key_type = halfedge_descriptor;
+    using value_type = double;
+    using reference = double;
+    using category = boost::readable_property_map_tag;
+
+    reference operator[](const key_type& h) const
+    {
+      return m_data->along_halfedges(static_cast<Eigen::Index>(m_data->halfedges(h)), m_column);
+    }
+    friend reference get(const One_form_map& map, const key_type& h) { return map[h]; }
+
+   private:
+    friend Harmonic_forms;
+    One_form_map(std::shared_ptr<const Data> data, int column)
+        : m_data(std::move(data)), m_column(column)
+    {}
+
+    std::shared_ptr<const Data> m_data;
+    int m_column;
+  };
+
+  /// \brief The vector in the plane of each face that represents the form along its edges.
+  ///
+  /// A model of `ReadablePropertyMap`.
+  class Tangent_field_map {
+   public:
+    using key_type = face_descriptor;
+    using value_type = Vector;
+    using reference = Vector;
+    using category = boost::readable_property_map_tag;
+
+    reference operator[](const key_type& f) const
+    {
+      const auto v = m_data->fields[m_column].col(static_cast<Eigen::Index>(m_data->faces(f)));
+      return Vector(v.x(), v.y(), v.z());
+    }
+    friend reference get(const Tangent_field_map& map, const key_type& f) { return map[f]; }
+
+   private:
+    friend Harmonic_forms;
+    Tangent_field_map(std::shared_ptr<const Data> data, int column)
+        : m_data(std::move(data)), m_column(static_cast<std::size_t>(column))
+    {}
+
+    std::shared_ptr<const Data> m_data;
+    std::size_t m_column;
+  };
+
+  /// \param mesh is only read, and not stored \param graph its view
+  /// \param basis of that view, or of one that is larger by `scale`
+  Harmonic_forms(const TriangleMesh& mesh, const Graph_view<TriangleMesh>& graph,
+                 Harmonic_basis basis, double scale = 1)
+      : m_data(std::make_shared<const Data>(mesh, graph, std::move(basis), scale))
+  {}
+
+  /// 2 `genus()`, and with a boundary one more for each of its loops but one
+  int size() const { return static_cast<int>(m_data->fields.size()); }
+  int genus() const { return m_data->genus; }
+
+  /// Form i, 0 <= i < `size()`; dimensionless. The sum of w_e omega_i(e) omega_j(e) over the edges,
+  /// with cotan weights, is 1 for i = j and 0 otherwise.
+  One_form_map one_form(int i) const { return {m_data, i}; }
+
+  /// The tangent field of form i, in 1/length of the mesh. The sum of A_f <v_i, v_j> over the faces
+  /// equals the inner product of the forms.
+  Tangent_field_map tangent_field(int i) const { return {m_data, i}; }
+
+ private:
+  struct Data {
+    Data(const TriangleMesh& mesh, const Graph_view<TriangleMesh>& graph, Harmonic_basis basis,
+         double scale)
+        : genus(topology(graph.view()).genus),
+          halfedges(halfedges_of(mesh, graph)),
+          faces(faces_of(graph)),
+          along_halfedges(values_along(graph.view(), basis)),
+          fields(std::move(basis.fields))
+    {
+      for (Points& v : fields) v *= scale;
+    }
+
+    /// In the order of the view, whose halfedge 3 f + c is opposite corner c; border halfedges are
+    /// last
+    static std::vector<halfedge_descriptor> halfedges_of(const TriangleMesh& mesh,
+                                                         const Graph_view<TriangleMesh>& graph)
+    {
+      std::vector<halfedge_descriptor> list;
+      for (int f = 0; f < graph.view().size_of_faces(); ++f) {
+        const auto last = halfedge(graph.face(f), mesh);  // from corner 0 to corner 1
+        const auto first = next(last, mesh);
+        list.insert(list.end(), {first, next(first, mesh), last});
+      }
+      for (int h = 0; h < graph.view().size_of_halfedges(); ++h)
+        if (graph.view().twin(h) < 0)
+          list.push_back(opposite(list[static_cast<std::size_t>(h)], mesh));
+      return list;
+    }
+
+    /// In the order of `halfedges_of()`
+    static Eigen::MatrixXd values_along(const Mesh_view& view, const Harmonic_basis& basis)
+    {
+      std::vector<int> border;
+      for (int h = 0; h < view.size_of_halfedges(); ++h)
+        if (view.twin(h) < 0) border.push_back(h);
+      const int inside = view.size_of_halfedges(), all = inside + static_cast<int>(border.size());
+      Eigen::MatrixXd values(all, basis.size());
+      for (int i = 0; i < basis.size(); ++i) {
+        for (int h = 0; h < inside; ++h)
+          values(h, i) = along_halfedge(view, basis.one_forms.col(i), h);
+        for (int h = inside; h < all; ++h)
+          values(h, i) = -values(border[static_cast<std::size_t>(h - inside)], i);
+      }
+      return values;
+    }
+
+    static std::vector<face_descriptor> faces_of(const Graph_view<TriangleMesh>& graph)
+    {
+      std::vector<face_descriptor> list;
+      for (int f = 0; f < graph.view().size_of_faces(); ++f) list.push_back(graph.face(f));
+      return list;
+    }
+
+    int genus;
+    Element_numbering<halfedge_descriptor> halfedges;
+    Element_numbering<face_descriptor> faces;
+    Eigen::MatrixXd along_halfedges;  // number of halfedges x number of forms
+    std::vector<Points> fields;       // each 3 x |F|
+  };
+
+  std::shared_ptr<const Data> m_data;
+};
+
+}  // namespace internal
 
 /// \ingroup PkgEntryPoints
 /// \brief Computes the harmonic 1-forms of a surface and their tangent fields, orthonormal: 2G of
