@@ -83,6 +83,13 @@ TEST(Conformal_willmore_flow_refusals, refuses_options_out_of_their_ranges)
   options = {};
   options.surface.boundary.kind = CGP::Boundary_condition::Kind::positions;
   EXPECT_TRUE(has(refusal(icosphere(1), options), "a flow can keep directions only"));
+  options = {};
+  options.surface.scales.bound = 1;
+  EXPECT_TRUE(has(refusal(icosphere(1), options), "a number above 1 is needed"));
+  options.surface.scales.bound = 2;
+  EXPECT_EQ(refusal(icosphere(1), options), "");
+  options.surface.scales.weights = Eigen::VectorXd::Ones(42);
+  EXPECT_TRUE(has(refusal(icosphere(1), options), "a flow can keep a bound only"));
 }
 
 TEST(Conformal_willmore_flow_refusals, refuses_directions_that_are_no_functions_on_the_vertices)

@@ -21,7 +21,7 @@ int main()
   const CGP::Mesh_view mesh = CGP::geodesic_sphere(8);
   const Eigen::VectorXd rho = mesh.positions().row(0).array().sin().matrix().transpose();
   const auto result =
-      CGP::Spin_transformation<>(mesh).transform(CGP::Curvature_potential::on_vertices(rho));
+      CGP::Spin_transformation(mesh).transform(CGP::Curvature_potential::on_vertices(rho));
   return result.report ? 0 : 1;
 }
 """
