@@ -24,7 +24,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
-#include <functional>
 #include <new>
 
 namespace conformal {
@@ -40,11 +39,10 @@ Ending ending_of(const CGP::Solver_error& error)
 
 }  // namespace
 
-Ending carry_out(const std::function<void()>& work)
+Ending ending_of_exception()
 {
   try {
-    work();
-    return {};
+    throw;
   } catch (const Failure& failure) {
     return {failure.code(), failure.what()};
   } catch (const Read_error& error) {

@@ -3,15 +3,25 @@
 
 #include "conformal/report/Outcome.h"
 
-#include <functional>
-
 namespace conformal {
 
 /// The whole program: executes the command line, prints one line on stderr on failure, and returns
 /// the exit code (`Exit_code`).
 int run(int argc, const char* const* argv);
 
-/// how work ends: with the exit code and the message of what it throws
-Ending carry_out(const std::function<void()>& work);
+/// the exit code and the message of the exception at hand
+Ending ending_of_exception();
+
+/// how work ends: with that of what it throws
+template <class Work>
+Ending carry_out(const Work& work)
+{
+  try {
+    work();
+    return {};
+  } catch (...) {
+    return ending_of_exception();
+  }
+}
 
 }  // namespace conformal

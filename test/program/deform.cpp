@@ -1,5 +1,5 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-// Tests examples/conformal/commands/deform.cpp examples/conformal/transform/solve_deformation.cpp
+// Tests examples/conformal/commands/deform.cpp
 // Tests examples/conformal/input/targets.cpp
 #include "conformal/io/file/numbers.h"
 #include "program/bounded_support.h"

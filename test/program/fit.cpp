@@ -1,4 +1,4 @@
-// Tests examples/conformal/commands/fit.cpp examples/conformal/transform/solve_fit.cpp
+// Tests examples/conformal/commands/fit.cpp
 // Tests examples/conformal/input/same_faces.cpp examples/conformal/transform/deform.cpp
 // Tests examples/conformal/commands/option_groups.cpp
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later

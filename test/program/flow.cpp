@@ -1,5 +1,5 @@
 // Tests examples/conformal/commands/flow.cpp examples/conformal/transform/flow_report.cpp
-// Tests examples/conformal/transform/Flow_watch.cpp examples/conformal/transform/run_flow.cpp
+// Tests examples/conformal/transform/Flow_watch.cpp examples/conformal/commands/flow.cpp
 // Tests examples/conformal/report/Grid.cpp examples/conformal/transform/suitable_surface.cpp
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include "program/support.h"

@@ -1,5 +1,5 @@
 // Tests examples/conformal/repair/mend_flat_faces.cpp examples/conformal/repair/Flatness.cpp
-// Tests examples/conformal/repair/Triangle_soup.cpp examples/conformal/repair/corner_rows.h
+// Tests examples/conformal/repair/Triangle_soup.cpp
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include "conformal/repair/mend_flat_faces.h"
 

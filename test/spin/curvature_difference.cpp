@@ -1,7 +1,6 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/measure/alignment.h>
 #include <Conformal_geometry_processing/mesh/Boundary_frames.h>
-#include <Conformal_geometry_processing/mesh/topology.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
 #include <Conformal_geometry_processing/spin/curvature_difference.h>
@@ -188,13 +187,7 @@ TEST(Turned_binormals, turn_over_the_normal_by_half_a_turn)
 double distance_by(const CGP::Curvature_potential& rho, const Mesh_view& mesh,
                    const Points& positions)
 {
-  CGP::Spin_transformation_options options;
-  if (!CGP::topology(mesh).is_closed()) {
-    const Points aligned = CGP::align(positions, mesh.positions()).apply(positions);
-    options.boundary = CGP::Boundary_condition::binormals(
-        CGP::turned_binormals(mesh, Mesh_view(aligned, mesh.corners()), mesh, 1));
-    options.exactness.reset();
-  }
+  const CGP::Spin_transformation_options options = CGP::blend_request(mesh, positions, mesh, 1);
   const CGP::Spin_result result = CGP::Spin_transformation(mesh, options).transform(rho);
   EXPECT_TRUE(result.report);
   return CGP::align(result.positions, positions).rms;

@@ -10,23 +10,22 @@
 #include "conformal/process/Failure.h"
 #include "conformal/process/text.h"
 #include "conformal/report/keep_exhibit.h"
+#include "conformal/transform/Search_watch.h"
 #include "conformal/transform/deform.h"
 #include "conformal/transform/each_component.h"
 #include "conformal/transform/solve_spin.h"
 #include "conformal/transform/suitable_surface.h"
-#include "conformal/transform/watched.h"
 #include "conformal/transform/write_result.h"
 
 #include <Conformal_geometry_processing/measure/alignment.h>
 #include <Conformal_geometry_processing/measure/distortion.h>
 #include <Conformal_geometry_processing/measure/energies.h>
-#include <Conformal_geometry_processing/mesh/topology.h>
 #include <Conformal_geometry_processing/spin/Nearest_spin_transformation.h>
 #include <Conformal_geometry_processing/spin/curvature_difference.h>
 
 #include <cmath>
 #include <functional>
-#include <optional>
+#include <utility>
 #include <vector>
 
 namespace conformal {
@@ -99,12 +98,6 @@ struct Trio {
   CGP::Mesh_view a, b, start;
 };
 
-/// the difference of a pair
-struct Difference {
-  CGP::Curvature_potential rho;  ///< in 1/length of the surface to which it is added
-  CGP::Mesh_view b_near_a;       ///< placed so that the boundary turns no more than it must
-};
-
 /// The values of t in order; the last one belongs to the output.
 std::vector<double> values_of_t(const Blend_options& options)
 {
@@ -130,58 +123,44 @@ void note_unlike(const CGP::Mesh_view& a, const CGP::Mesh_view& b, const Blend_o
 CGP::Curvature_potential searched_difference(const Trio& meshes, const Blend_options& options,
                                              Session& session)
 {
-  CGP::Curvature_potential rho;
-  const auto solve = [&](const Go_further& go_further) {
-    rho = CGP::nearest_curvature_difference(meshes.a, meshes.b.positions(),
-                                            options.distance_tolerance, options.spin.request.dirac,
-                                            std::cref(go_further), "blend");
-    return Spin_solution();
-  };
-  watched(solve, options.spin.request.dirac.tolerance, session, "difference, ");
+  const CGP::Dirac_options& dirac = options.spin.request.dirac;
+  Search_watch watch(session, dirac.tolerance, "difference, ");
+  CGP::Curvature_potential rho = CGP::nearest_curvature_difference(
+      meshes.a, meshes.b.positions(), options.distance_tolerance, dirac, std::ref(watch), "blend");
+  watch.end();
   return rho;
 }
 
-Difference difference(const Trio& meshes, const Blend_options& options, Session& session)
+/// in 1/length of the surface to which it is added
+CGP::Curvature_potential difference(const Trio& meshes, const Blend_options& options,
+                                    Session& session)
 {
-  const CGP::Points& p = meshes.b.positions();
-  const CGP::Curvature_potential rho = options.keep_curvature
-                                           ? CGP::curvature_difference(meshes.a, p)
-                                           : searched_difference(meshes, options, session);
-  return {CGP::transferred(rho, meshes.a, meshes.start),
-          {CGP::align(p, meshes.a.positions()).apply(p), meshes.a.corners()}};
-}
-
-Spin_problem problem_at(double t, const Trio& meshes, const Difference& whole,
-                        const Blend_options& options)
-{
-  Spin_problem problem{{whole.rho.on, t * whole.rho.values}, options.spin.request};
-  if (CGP::topology(meshes.start).is_closed()) return problem;
-  problem.request.boundary = CGP::Boundary_condition::binormals(
-      CGP::turned_binormals(meshes.a, whole.b_near_a, meshes.start, t));
-  problem.request.exactness.reset();  // the prescribed data determine the loops
-  return problem;
+  const CGP::Curvature_potential rho =
+      options.keep_curvature ? CGP::curvature_difference(meshes.a, meshes.b.positions())
+                             : searched_difference(meshes, options, session);
+  return CGP::transferred(rho, meshes.a, meshes.start);
 }
 
 /// a surface on the way
 struct Frame {
   double t;
   Spin_problem problem;
-  Spin_solution solution;
+  CGP::Spin_result solution;
 };
 
 std::vector<Frame> solve_frames(const Trio& meshes, const Blend_options& options, Session& session)
 {
-  const Difference whole = difference(meshes, options, session);
+  const CGP::Curvature_potential whole = difference(meshes, options, session);
   std::vector<Frame> frames;
   for (const double t : values_of_t(options)) {
     if (!frames.empty()) session.end_stage("frames");
-    const Spin_problem problem = problem_at(t, meshes, whole, options);
-    const auto solve = [&](const Go_further& go_further) {
-      return solve_spin(meshes.start, problem, go_further);
-    };
-    frames.push_back(
-        {t, problem,
-         watched(solve, problem.request.dirac.tolerance, session, "t = " + text_of(t, 4) + ", ")});
+    const Spin_problem problem{
+        {whole.on, t * whole.values},
+        CGP::blend_request(meshes.a, meshes.b.positions(), meshes.start, t, options.spin.request)};
+    Search_watch watch(session, problem.request.dirac.tolerance, "t = " + text_of(t, 4) + ", ");
+    CGP::Spin_result solution = solve_spin(meshes.start, problem, std::ref(watch));
+    watch.end(solution.report);
+    frames.push_back({t, problem, std::move(solution)});
   }
   return frames;
 }
@@ -191,7 +170,7 @@ void tell_frames(const std::vector<Frame>& frames, const CGP::Mesh_view& b, Repo
 {
   Grid grid({"t", "energy/4pi", "closure", "Q mean", "Q max", "flips", "from B"});
   for (std::size_t k = 0; k < frames.size(); ++k) {
-    const Spin_solution& solution = frames[k].solution;
+    const CGP::Spin_result& solution = frames[k].solution;
     const CGP::Conformality& map = solution.report.conformality;
     const double energy = CGP::willmore_energy(CGP::Mesh_view(solution.positions, b.corners()));
     const double distance = CGP::align(solution.positions, b.positions()).rms;

@@ -7,14 +7,15 @@
 #include "conformal/process/text.h"
 #include "conformal/report/certificate.h"
 #include "conformal/report/target_report.h"
+#include "conformal/transform/Search_watch.h"
 #include "conformal/transform/each_component.h"
-#include "conformal/transform/solve_deformation.h"
 #include "conformal/transform/suitable_surface.h"
-#include "conformal/transform/watched.h"
 #include "conformal/transform/write_result.h"
 
+#include <Conformal_geometry_processing/spin/Conformal_deformation.h>
 #include <Conformal_geometry_processing/spin/Region_of_interest.h>
 
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -96,27 +97,30 @@ void tell_region(const Eigen::VectorXd& wanted, const Eigen::VectorXd& moved, Se
                  " vertices of the region stay, as the part that they are in has no target");
 }
 
-Deformation_solution deform_surface(const Surface_input& input, const Deformation_problem& problem,
+/// what came of it
+struct Deformation_solution : CGP::Spin_result {
+  CGP::Curvature_potential rho;  ///< that was found, in 1/length of the mesh, on vertices
+};
+
+Deformation_solution deform_surface(const Surface_input& input,
+                                    const std::vector<CGP::internal::Control_point>& points,
                                     const Deform_options& options, Session& session)
 {
-  Deformation_solution solution;
-  solution.spin = watched(
-      [&](const Go_further& go_further) {
-        solution = solve_deformation(input.mesh, problem, go_further);
-        return std::move(solution.spin);
-      },
-      problem.request.surface.dirac.tolerance, session);
+  const CGP::internal::Conformal_deformation_options& request = options.request;
+  Search_watch watch(session, request.surface.dirac.tolerance);
+  CGP::internal::Conformal_deformation deformation(input.mesh, request, "deform");
+  Deformation_solution solution{deformation.deform(points, std::ref(watch)),
+                                deformation.potential()};
+  watch.end(solution.report);
   session.begin_stage();
-  const CGP::Spin_report& report = solution.spin.report;
-  tell_region(problem.request.region, solution.region, session);
-  tell_targets(report, problem.points.size(), session.report());
+  const CGP::Spin_report& report = solution.report;
+  tell_region(request.region, deformation.region(), session);
+  tell_targets(report, points.size(), session.report());
   if (report.collar) tell_collar(*report.collar, session.report());
   tell_certificate(report, input.mesh.size_of_faces(), session.outcome());
-  const Evidence evidence{solution.spin.positions,
-                          report,
-                          {},
-                          fault_of_targets(report, options.request.surface.limits)};
-  const bool can_force = options.force && solution.spin.positions.cols() > 0;
+  const Evidence evidence{
+      solution.positions, report, {}, fault_of_targets(report, options.request.surface.limits)};
+  const bool can_force = options.force && solution.positions.cols() > 0;
   session.conclude(judge(evidence, options.request.surface.limits, "nearer targets"),
                    on_fault(can_force));
   if (report.reached < 1)
@@ -144,16 +148,17 @@ void deform(const Deform_options& options, Session& session)
   surface.rho =
       CGP::Curvature_potential::on_vertices(Eigen::VectorXd::Zero(input.mesh.size_of_vertices()));
   each_component(input, session, [&](const Component& component, Session& own) {
-    Deformation_problem problem{control_points(targets, component.input.mesh, component.vertices),
-                                options.request};
-    if (problem.points.empty()) {  // it stays where it is
+    const auto points = control_points(targets, component.input.mesh, component.vertices);
+    if (points.empty()) {  // it stays where it is
       own.conclude(judge({component.input.mesh.positions()}, options.request.surface.limits, ""),
                    On_fault::refuse);
       return;
     }
-    if (region.size() > 0) problem.request.region = region(component.vertices);
-    const Deformation_solution solution = deform_surface(component.input, problem, options, own);
-    surface.set(component, solution.spin);
+    Deform_options of_component = options;
+    if (region.size() > 0) of_component.request.region = region(component.vertices);
+    const Deformation_solution solution =
+        deform_surface(component.input, points, of_component, own);
+    surface.set(component, solution);
     surface.rho.values(component.vertices) = unit * solution.rho.values;
   });
   write_result(input, surface, session, options.lambda);

@@ -9,19 +9,20 @@
 #include "conformal/input/same_faces.h"
 #include "conformal/process/Failure.h"
 #include "conformal/process/text.h"
+#include "conformal/transform/Search_watch.h"
 #include "conformal/transform/deform.h"
 #include "conformal/transform/each_component.h"
-#include "conformal/transform/solve_fit.h"
 #include "conformal/transform/suitable_surface.h"
-#include "conformal/transform/watched.h"
 #include "conformal/transform/write_result.h"
 
 #include <Conformal_geometry_processing/measure/Conformality.h>
 #include <Conformal_geometry_processing/measure/alignment.h>
 #include <Conformal_geometry_processing/mesh/normals.h>
 #include <Conformal_geometry_processing/mesh/topology.h>
+#include <Conformal_geometry_processing/spin/Nearest_spin_transformation.h>
 
 #include <cmath>
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -48,6 +49,11 @@ struct Fit_options {
   std::string scale;   ///< a formula of factors for the scales of the target, none if empty
   std::string lambda;  ///< the name of the vertex properties, none if empty
   bool force = false;
+};
+
+/// what came of it
+struct Fit_solution : CGP::Nearest_spin_result {
+  int sign_conflicts = 0;  ///< edges across which the rotations of the target jump
 };
 
 void add_options(CLI::App& command, Fit_options& fit, Common_options& common)
@@ -128,7 +134,7 @@ void tell_target(const CGP::Mesh_view& mesh, const CGP::Mesh_view& target,
                  const Fit_solution& solution, Session& session)
 {
   Report& report = session.report();
-  const CGP::Mesh_view measured = measured_part(mesh, solution.spin.report.mollification.share > 0);
+  const CGP::Mesh_view measured = measured_part(mesh, solution.report.mollification.share > 0);
   const auto Q = CGP::conformality(measured, target.positions(),
                                    CGP::neighbourhood_normals(measured, target.positions()))
                      .quasi_conformal;
@@ -137,8 +143,8 @@ void tell_target(const CGP::Mesh_view& mesh, const CGP::Mesh_view& target,
   report.set(place + "p99", Q.p99);
   report.tell(place + "max", "quasi-conformal error of the target, max", Q.max);
   report.set("result/target/sign_conflicts", solution.sign_conflicts);
-  if (solution.spin.report.converged) {
-    const auto a = CGP::align(solution.spin.positions, target.positions());
+  if (solution.report.converged) {
+    const auto a = CGP::align(solution.positions, target.positions());
     report.tell("result/distance/rms", "distance from the target, rms / diagonal",
                 solution.distance);
     report.tell("result/distance/source", "likewise of the source", solution.source_distance);
@@ -154,16 +160,17 @@ void tell_target(const CGP::Mesh_view& mesh, const CGP::Mesh_view& target,
                  count_of(static_cast<std::size_t>(solution.sign_conflicts), "edge"));
 }
 
-Fit_solution solve(const Surface_input& input, const Fit_problem& problem, Session& session)
+/// \param factors of the scales of the target; none if empty
+Fit_solution solve(const CGP::Mesh_view& mesh, const CGP::Points& target,
+                   const Eigen::VectorXd& factors, const Fit_options& options, Session& session)
 {
-  Fit_solution solution;
-  solution.spin = watched(
-      [&](const Go_further& go_further) {
-        solution = solve_fit(input.mesh, problem, go_further);
-        return std::move(solution.spin);
-      },
-      problem.request.surface.dirac.tolerance, session);
-  return solution;
+  Search_watch watch(session, options.request.surface.dirac.tolerance);
+  CGP::Nearest_spin_transformation nearest(mesh, target, "fit", options.request);
+  if (factors.size() > 0) nearest.scale_lengths(factors);
+  CGP::Nearest_spin_result result = nearest.transform(std::ref(watch));
+  if (options.blend != 0 && result.report) result = nearest.blend(result, options.blend);
+  watch.end(result.report);
+  return {std::move(result), nearest.sign_conflicts()};
 }
 
 /// The condition at the boundary with which the surface was found; notes if it is another one.
@@ -182,16 +189,15 @@ CGP::Boundary_condition used_condition(const CGP::Boundary_condition& given,
 
 /// Solves the problem on a surface in one component, tells what came of it, and concludes.
 Fit_solution fit_surface(const Surface_input& input, const CGP::Boundary_condition& boundary,
-                         Fit_problem problem, const Fit_options& options, Session& session)
+                         const CGP::Mesh_view& target, const Eigen::VectorXd& factors,
+                         const Fit_options& options, Session& session)
 {
-  problem.request = options.request;
-  problem.blend = options.blend;
-  Fit_solution solution = solve(input, problem, session);
+  Fit_solution solution = solve(input.mesh, target.positions(), factors, options, session);
   session.begin_stage();
-  tell_target(input.mesh, CGP::Mesh_view(problem.target, input.mesh.corners()), solution, session);
-  tell_solution(input, used_condition(boundary, solution, session), solution.spin.report,
+  tell_target(input.mesh, target, solution, session);
+  tell_solution(input, used_condition(boundary, solution, session), solution.report,
                 session.outcome());
-  conclude(solution.spin, options.force, "a target that is bent and sheared less", session,
+  conclude(solution, options.force, "a target that is bent and sheared less", session,
            session.input());
   return solution;
 }
@@ -212,13 +218,12 @@ void fit(const Fit_options& options, Session& session)
   CGP::Boundary_condition boundary = CGP::Boundary_condition::free();
   if (is_bounded) boundary = directions_of(input, target, options.request.direction);
   each_component(input, session, [&](const Component& component, Session& own) {
-    Fit_problem problem;
-    problem.target = on_component(target, component).positions();
-    if (factors.size() > 0) problem.scales = factors(component.vertices);
+    Eigen::VectorXd own_factors = factors;
+    if (factors.size() > 0) own_factors = factors(component.vertices);
     const Fit_solution solution =
         fit_surface(component.input, on_component(boundary, input.mesh, component),
-                    std::move(problem), options, own);
-    surface.set(component, solution.spin);
+                    on_component(target, component), own_factors, options, own);
+    surface.set(component, solution);
     surface.rho.values(component.faces) = unit * at_faces(component.input.mesh, solution.rho);
   });
   write_result(input, surface, session, options.lambda);

@@ -7,13 +7,17 @@
 #include "conformal/process/Failure.h"
 #include "conformal/process/text.h"
 #include "conformal/report/boundary_report.h"
+#include "conformal/transform/Flow_watch.h"
 #include "conformal/transform/each_component.h"
 #include "conformal/transform/flow_report.h"
 #include "conformal/transform/suitable_surface.h"
 #include "conformal/transform/write_result.h"
 
+#include <Conformal_geometry_processing/flow/Conformal_willmore_flow.h>
 #include <Conformal_geometry_processing/measure/distortion.h>
 #include <Conformal_geometry_processing/mesh/topology.h>
+
+#include <cmath>
 
 namespace conformal {
 namespace {
@@ -208,8 +212,12 @@ void throw_if_interrupted_after(const CGP::Flow_report& report, Session& session
 Flow_solution flowed(const Surface_input& input, const Flow_options& options, Session& session)
 {
   require_options_that_fit(input, options);
+  CGP::Flow_options request = options.request;
+  if (options.force) request.surface.limits.map = {HUGE_VAL, HUGE_VAL, HUGE_VAL};
   Flow_watch watch(input, options, session);
-  Flow_solution solution = run_flow(input.mesh, options, watch);
+  CGP::Conformal_willmore_flow flow(input.mesh, request, {}, "flow");
+  Flow_solution solution{{}, flow.run(watch)};
+  solution.positions = flow.positions();
   watch.end();
   if (solution.report.steps.empty()) throw_if_interrupted();
   session.end_stage("flow");

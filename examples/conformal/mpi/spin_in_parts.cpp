@@ -11,8 +11,8 @@
 #include "conformal/process/interruption.h"
 #include "conformal/process/text.h"
 #include "conformal/report/certificate.h"
+#include "conformal/transform/Search_watch.h"
 #include "conformal/transform/solve_spin.h"
-#include "conformal/transform/watched.h"
 
 #include <Conformal_geometry_processing/mesh/normals.h>
 
@@ -226,12 +226,9 @@ void run(const Options& options, Session& session)
     return signal_received() == 0 && !told.report.cancelled &&
            (verdict.is_verified() || options.force);
   };
-  watched(
-      [&](const Go_further& go_further) {
-        do_job(job, go_further, approve);
-        return Spin_solution();
-      },
-      job.tolerance, session);
+  Search_watch watch(session, job.tolerance);
+  do_job(job, std::ref(watch), approve);
+  watch.end();
   session.conclude(verdict, on_fault(options.force));
 }
 

@@ -35,6 +35,11 @@ Progress::Progress(const Common_options& options, std::string command, std::stri
 
 Progress::~Progress()
 {
+  end();
+}
+
+void Progress::end()
+{
   clear();
   if (m_form == Form::lines) set_status("");
 }

@@ -36,6 +36,9 @@ class Progress {
   /// Clears the progress line, before another line is written.
   void clear();
 
+  /// the work is done: there is no line any more
+  void end();
+
  private:
   enum class Form { none, bar, lines, json };
 

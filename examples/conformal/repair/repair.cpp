@@ -3,7 +3,6 @@
 
 #include "Corner_fans.h"
 #include "mend_flat_faces.h"
-#include "merge_points.h"
 #include "orientation.h"
 #include "select_faces.h"
 #include "separate_fans.h"
@@ -20,6 +19,21 @@
 
 namespace conformal {
 namespace {
+
+/// \brief For each point the first one with exactly the same coordinates, which may be itself.
+std::vector<int> merge_points(const std::vector<Point>& points)
+{
+  const auto point = [&](int i) -> const Point& { return points[static_cast<std::size_t>(i)]; };
+  std::vector<int> order(points.size()), first(points.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](int i, int j) { return point(i) < point(j); });
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    const bool is_new = k == 0 || point(order[k]) != point(order[k - 1]);
+    first[static_cast<std::size_t>(order[k])] =
+        is_new ? order[k] : first[static_cast<std::size_t>(order[k - 1])];
+  }
+  return first;
+}
 
 /// The corners of one face as places in the file; those that repeat the one before are left out.
 std::vector<std::size_t> distinct_corners(const Polygons& polygons, std::size_t f)

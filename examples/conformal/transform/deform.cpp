@@ -1,7 +1,6 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include "deform.h"
 
-#include "solve_twice.h"
 #include "suggested_factor.h"
 
 #include "conformal/process/text.h"
@@ -43,10 +42,8 @@ void note_what_gives_way(const Surface_input& input, const Spin_solution& soluti
 }
 
 /// Where a good result is of another problem than that which was posed.
-void note_departures(const Spin_solution& solution, Session& session)
+void note_departures(const CGP::Spin_report& report, Session& session)
 {
-  const CGP::Spin_report& report = solution.report;
-  if (!solution.note.empty()) session.note(solution.note);
   if (const std::string text = shortfall(report); !text.empty()) session.note(text);
   if (report.reached < 1)
     session.note("only " + text_of(100 * report.reached, 3) +
@@ -94,14 +91,14 @@ void tell_solution(const Surface_input& input, const CGP::Boundary_condition& bo
   tell_boundary(input.mesh, boundary, spin, outcome.report);
 }
 
-void conclude(const Spin_solution& solution, bool is_forced, const std::string& easier,
+void conclude(const CGP::Spin_result& solution, bool is_forced, const std::string& easier,
               Session& session, const std::string& what)
 {
   const Evidence evidence{solution.positions, solution.report};
   const Verdict verdict = judge(evidence, solution.report.limits, easier);
   const bool has_surface = solution.positions.cols() > 0;  // else there is nothing to write
   session.conclude(verdict, on_fault(is_forced && has_surface), what);
-  if (verdict.is_verified()) note_departures(solution, session);
+  if (verdict.is_verified()) note_departures(solution.report, session);
 }
 
 Spin_solution deform(const Surface_input& input, const Spin_problem& problem,
@@ -111,6 +108,7 @@ Spin_solution deform(const Surface_input& input, const Spin_problem& problem,
   session.begin_stage();
   tell_solution(input, problem.request.boundary, solution.report, session.outcome());
   note_what_gives_way(input, solution, session);
+  if (!solution.note.empty()) session.note(solution.note);
   conclude(solution, options.force,
            easier_by_amplitude(input, problem, options, solution, easier, session), session,
            session.input());

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "Spin_options.h"
-#include "solve_spin.h"
+#include "solve_twice.h"
 
 #include "conformal/input/Surface_input.h"
 #include "conformal/report/Session.h"
@@ -20,7 +20,7 @@ void tell_solution(const Surface_input& input, const CGP::Boundary_condition& bo
 /// \param easier advice for an easier problem
 /// \param what the cause, for the message
 /// \throws Failure if it does not verify, unless that is forced
-void conclude(const Spin_solution& solution, bool is_forced, const std::string& easier,
+void conclude(const CGP::Spin_result& solution, bool is_forced, const std::string& easier,
               Session& session, const std::string& what);
 
 /// \brief Common part of `conformal spin` and `conformal boundary`: solves the problem of a surface

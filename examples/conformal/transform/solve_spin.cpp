@@ -30,13 +30,12 @@ CGP::Spin_solvers solvers_named(const std::string& name)
                                       "; try: --advanced solver=native");
 }
 
-Spin_solution solve_spin(const CGP::Mesh_view& mesh, const Spin_problem& problem,
-                         const Go_further& go_further)
+CGP::Spin_result solve_spin(const CGP::Mesh_view& mesh, const Spin_problem& problem,
+                            const Go_further& go_further)
 {
   if (problem.minimal)
-    return {CGP::spin_to_minimal_surface(mesh, problem.request, "boundary", go_further)};
-  return {
-      CGP::Spin_transformation(mesh, problem.request, "spin").transform(problem.rho, go_further)};
+    return CGP::spin_to_minimal_surface(mesh, problem.request, "boundary", go_further);
+  return CGP::Spin_transformation(mesh, problem.request, "spin").transform(problem.rho, go_further);
 }
 
 }  // namespace conformal

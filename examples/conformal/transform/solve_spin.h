@@ -17,11 +17,6 @@ namespace CGP = Conformal_geometry_processing;
 /// whether to go on, asked after each iteration of the eigensolver
 using Go_further = std::function<bool(const CGP::Eigensolver_progress&)>;
 
-/// the result of the library
-struct Spin_solution : CGP::Spin_result {
-  std::string note = {};  ///< changes that were not requested, empty if none
-};
-
 /// The problem for the library, in units of the mesh
 struct Spin_problem {
   CGP::Curvature_potential rho;
@@ -34,7 +29,7 @@ struct Spin_problem {
 CGP::Spin_solvers solvers_named(const std::string& name);
 
 /// Calls the library's `Spin_transformation`, or `spin_to_minimal_surface()`.
-Spin_solution solve_spin(const CGP::Mesh_view& mesh, const Spin_problem& problem,
-                         const Go_further& go_further);
+CGP::Spin_result solve_spin(const CGP::Mesh_view& mesh, const Spin_problem& problem,
+                            const Go_further& go_further);
 
 }  // namespace conformal

@@ -1,7 +1,7 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include "solve_twice.h"
 
-#include "watched.h"
+#include "Search_watch.h"
 
 #include "conformal/report/verification.h"
 
@@ -9,6 +9,7 @@
 #include <Quaternionic_linear_algebra/exceptions.h>
 
 #include <exception>
+#include <functional>
 #include <utility>
 
 namespace conformal {
@@ -24,12 +25,11 @@ struct Attempt {
 Attempt attempt(const CGP::Mesh_view& mesh, const Spin_problem& problem, Session& session,
                 const std::string& words)
 {
-  const auto solve = [&](const Go_further& go_further) {
-    return solve_spin(mesh, problem, go_further);
-  };
   Attempt result;
   try {
-    result.solution = watched(solve, problem.request.dirac.tolerance, session, words);
+    Search_watch watch(session, problem.request.dirac.tolerance, words);
+    result.solution = {solve_spin(mesh, problem, std::ref(watch))};
+    watch.end(result.solution.report);
     result.fault =
         objection(result.solution.report, result.solution.positions, problem.request.limits, "");
   } catch (const CGP::Error& error) {  // the matrices of thin faces may not be definite

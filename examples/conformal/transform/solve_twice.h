@@ -11,6 +11,11 @@
 
 namespace conformal {
 
+/// the result of the library
+struct Spin_solution : CGP::Spin_result {
+  std::string note = {};  ///< changes that were not requested, empty if none
+};
+
 /// \brief Runs `solve_spin()` with a progress line. If the result does not verify, the alternative
 /// problem is solved, and used and noted if it verifies; otherwise the first result is returned.
 /// \param words said before those of progress

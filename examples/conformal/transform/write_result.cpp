@@ -86,7 +86,7 @@ Transformed_surface Transformed_surface::unchanged(const CGP::Mesh_view& mesh)
                                 mesh.size_of_vertices(), CGP::Quaternion<double>{1, 0, 0, 0})};
 }
 
-void Transformed_surface::set(const Component& component, const Spin_solution& solution)
+void Transformed_surface::set(const Component& component, const CGP::Spin_result& solution)
 {
   positions(Eigen::indexing::all, component.vertices) = solution.positions;
   lambda(component.vertices) = solution.lambda;

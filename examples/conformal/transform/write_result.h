@@ -2,10 +2,11 @@
 #pragma once
 
 #include "Component.h"
-#include "solve_spin.h"
 
 #include "conformal/io/write_surface.h"
 #include "conformal/report/Session.h"
+
+#include <Conformal_geometry_processing/spin/Spin_transformation.h>
 
 #include <string>
 #include <vector>
@@ -22,7 +23,7 @@ struct Transformed_surface {
   /// the surface as it is, with lambda = 1
   static Transformed_surface unchanged(const CGP::Mesh_view& mesh);
 
-  void set(const Component& component, const Spin_solution& solution);
+  void set(const Component& component, const CGP::Spin_result& solution);
 };
 
 /// Refuses before the work an output that cannot be written after it. \throws Write_error

@@ -2,9 +2,7 @@
 #include "binding.h"
 #include "transformation.h"
 
-#include <Conformal_geometry_processing/measure/alignment.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>
-#include <Conformal_geometry_processing/mesh/topology.h>
 #include <Conformal_geometry_processing/spin/Nearest_spin_transformation.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
 #include <Conformal_geometry_processing/spin/curvature_difference.h>
@@ -73,12 +71,7 @@ CGP::Spin_result blended(const Pair& meshes, double t, std::optional<double> tol
   rho.values *= t;
   CGP::Spin_transformation_options own;
   own.dirac = options;
-  if (!CGP::topology(meshes.start).is_closed()) {
-    const CGP::Mesh_view aligned(CGP::align(p, meshes.a.positions()).apply(p), meshes.a.corners());
-    own.boundary = CGP::Boundary_condition::binormals(
-        CGP::turned_binormals(meshes.a, aligned, meshes.start, t));
-    own.exactness.reset();  // the prescribed data determine the loops
-  }
+  own = CGP::blend_request(meshes.a, p, meshes.start, t, own);
   return CGP::Spin_transformation(meshes.start, own, function).transform(rho, std::cref(watch));
 }
 

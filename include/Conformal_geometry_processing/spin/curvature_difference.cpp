@@ -66,20 +66,18 @@ Points turned_binormals(const Mesh_view& from, const Mesh_view& to, const Mesh_v
   return turned;
 }
 
-namespace internal {
-
-/// as blends transform
-Spin_transformation_options options_of_blends(const Mesh_view& mesh, const Points& wanted,
-                                              const Dirac_options& dirac)
+Spin_transformation_options blend_request(const Mesh_view& from, const Points& to,
+                                          const Mesh_view& start, double t,
+                                          Spin_transformation_options request)
 {
-  Spin_transformation_options options;
-  options.dirac = dirac;
-  if (topology(mesh).is_closed()) return options;
-  const Mesh_view aligned(align(wanted, mesh.positions()).apply(wanted), mesh.corners());
-  options.boundary = Boundary_condition::binormals(turned_binormals(mesh, aligned, mesh, 1));
-  options.exactness.reset();
-  return options;
+  if (topology(start).is_closed()) return request;
+  const Mesh_view aligned(align(to, from.positions()).apply(to), from.corners());
+  request.boundary = Boundary_condition::binormals(turned_binormals(from, aligned, start, t));
+  request.exactness.reset();
+  return request;
 }
+
+namespace internal {
 
 /// \brief rho changed so that transformations by it arrive: the spins of a fit are not an
 /// eigenvector of its rho. The difference of curvature misses a surface by O(h^2), and corrections
@@ -91,7 +89,9 @@ Curvature_potential corrected(const Mesh_view& mesh, Curvature_potential rho, co
                               const Go_further& go_further)
 {
   const int max_corrections = 6;
-  Spin_transformation transformation(mesh, options_of_blends(mesh, wanted, options));
+  Spin_transformation_options request;
+  request.dirac = options;
+  Spin_transformation transformation(mesh, blend_request(mesh, wanted, mesh, 1, request));
   const Eigen::VectorXd curvature = curvature_difference(mesh, wanted).values;
   Curvature_potential best = rho;
   for (double least = std::numeric_limits<double>::infinity(), i = 0; i < max_corrections; ++i) {

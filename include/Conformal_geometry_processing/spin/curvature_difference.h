@@ -43,6 +43,15 @@ Points turned_binormals(const Mesh_view& from, const Mesh_view& to, const Mesh_v
                         double t);
 
 /// \ingroup PkgSpin
+/// \brief what is requested of a blend: at a boundary the `turned_binormals()`, which determine
+/// whether edges close up around holes.
+/// \param to positions, placed near to `from` first
+/// \param request what is requested otherwise
+Spin_transformation_options blend_request(const Mesh_view& from, const Points& to,
+                                          const Mesh_view& start, double t,
+                                          Spin_transformation_options request = {});
+
+/// \ingroup PkgSpin
 /// \brief the rho that transforms a surface into another one, or into the conformal surface nearest
 /// to it; on vertices or faces, in 1/length of the mesh.
 ///
