@@ -8,10 +8,11 @@ from page.tables import count, extent, grouped, table
 
 
 def method_table(rows):
-    return table(["method", "cuts", "verified", "deviation", "Q", "flipped", "seconds"], [
+    return table(["method", "cuts", "verified", "deviation", "Q", "flipped", "overlap", "charts"], [
         [method, str(cuts), f"{count(some, lambda row: row['verified'])}/{len(some)}",
          extent((row["deviation"] for row in good), ".2f"), extent((row["q"] for row in good), ".3f"),
-         str(sum(row["flipped"] for row in good)), extent((row["seconds"] for row in some), ".1f")]
+         str(sum(row["flipped"] for row in good)), extent((row["overlap"] for row in good), ".2f"),
+         extent((row["charts"] for row in good), ".0f")]
         for (method, cuts), some in grouped(rows, "method", "cuts").items()
         for good in [[row for row in some if row["deviation"] is not None]] if cuts in (16, 64)])
 

@@ -70,8 +70,8 @@ void write_plane_points(const Graph_view<TriangleMesh>& graph, const Eigen::Vect
 /// By default this is the spectral conformal parameterization of Mullen et al. No vertices are
 /// pinned: among all maps with the same variance of the boundary (mean squared distance from its
 /// centre) it minimizes the energy |D psi|^2, psi = u - v N, by an eigenvector. The surface need
-/// not be a disk; it may have holes. Faces rarely flip, but this is not guaranteed; the report
-/// counts flipped faces.
+/// not be a disk; it may have holes. Faces rarely flip, and distant parts rarely overlap, but this
+/// is not guaranteed; the report counts flipped faces and measures overlaps.
 ///
 /// The image has the area of the surface (sum of the areas of the faces), and its longest loop is
 /// centred at the origin. Computes in double precision for any kernel. One factorization of a

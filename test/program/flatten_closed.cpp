@@ -5,12 +5,17 @@
 #include "conformal/transform/cut_graph.h"
 
 #include "program/bounded_support.h"
+#include "support/bounded_meshes.h"
+#include "support/limbs.h"
+#include "support/mesh_tools.h"
 #include "support/polyhedra.h"
 #include "support/spheres.h"
 #include "support/tori.h"
 
+#include "conformal/input/Surface_input.h"
 #include "conformal/io/data/texture_coordinates.h"
 
+#include <Conformal_geometry_processing/measure/overlaps.h>
 #include <Conformal_geometry_processing/mesh/topology.h>
 
 #include <algorithm>
@@ -211,7 +216,7 @@ TEST_F(Flatten_closed, with_cones_has_cuts_with_equal_sides_and_keeps_areas)
         ASSERT_EQ(lengths.size(), 2u);
         EXPECT_NEAR(lengths[0], lengths[1], 1e-3 * lengths[0]);
       }
-      EXPECT_TRUE(is_disk("b.ply"));
+      EXPECT_EQ(is_disk("b.ply"), result["overlap"]["faces"] == 0);
     }
   }
 }
@@ -249,6 +254,81 @@ TEST_F(Flatten_closed, refuses_cones_that_do_not_fit)
   EXPECT_TRUE(fails(run("flatten a.off --method cones -o b.ply"), 4, "--cut"));
   EXPECT_EQ(run(to + "0:90,1:120,2,3 --force --json b.json").code, 0);
   EXPECT_NEAR(json("b.json")["result"]["cones"]["angles"][1].get<double>(), 120, 1e-9);
+}
+
+TEST_F(Flatten_closed, cuts_an_image_that_overlaps_into_charts)
+{
+  write("a.off", off(cgp_test::dumbbell(3)));
+  bool has_overlapped = false;
+  for (const int cones : {8, 24, 48}) {
+    ASSERT_EQ(run("flatten a.off --method cones --planar-mesh -o b.ply --json b.json --cut=" +
+                  std::to_string(cones))
+                  .code,
+              0);
+    const auto result = json("b.json")["result"];
+    const bool overlaps = result["overlap"]["share"] > 0;
+    has_overlapped |= overlaps;
+    ASSERT_EQ(result.count("charts") == 1, overlaps);
+    const Mesh_view flat = conformal::prepare(file("b.ply")).mesh;
+    EXPECT_EQ(CGP::internal::overlaps(flat, flat.positions()).size(), 0u);
+    EXPECT_EQ(CGP::topology(flat).components, result.value("charts", 1));
+    EXPECT_EQ(file("b.ply").polygons.size(), file("a.off").polygons.size());
+    EXPECT_EQ(result["vertex_before_cuts"].size(), file("b.ply").points.size());
+    for (const auto& [ends, lengths] : cuts_of(file("a.off"), file("b.ply")))
+      EXPECT_NEAR(lengths[0], lengths[1], 1e-3 * lengths[0]);
+  }
+  EXPECT_TRUE(has_overlapped);
+}
+
+// A cylinder is flat, but its image needs a cut.
+TEST_F(Flatten_closed, with_cones_unrolls_a_cylinder)
+{
+  write("a.off", off(cgp_test::cylinder(1, 3, 24, 12)));
+  ASSERT_EQ(run("flatten a.off --method cones --planar-mesh -o b.ply --json b.json").code, 0);
+  const auto result = json("b.json")["result"];
+  EXPECT_NEAR(result["quasi_conformal"]["max"], 1, 1e-5);
+  EXPECT_LT(result["scale"]["log_deviation"], 1e-5);
+  EXPECT_EQ(result["overlap"]["faces"], 0);
+  EXPECT_TRUE(is_disk("b.ply"));
+}
+
+/// by how much the map scales the edges at the boundary before, as largest by least
+double spread_of_boundary(const conformal::Surface_file& before,
+                          const conformal::Surface_file& flat)
+{
+  double least = HUGE_VAL, most = 0;
+  for (const auto& [ends, lengths] : cuts_of(before, flat)) {
+    if (lengths.size() != 1) continue;
+    const auto& [p, q] = ends;
+    const double scale = lengths[0] / std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+    least = std::min(least, scale);
+    most = std::max(most, scale);
+  }
+  return most / least;
+}
+
+TEST_F(Flatten_closed, with_cones_keeps_the_length_of_a_boundary)
+{
+  const Mesh_view cap = cgp_test::cap_from_disk(cgp_test::jittered_disk(16, .25), 2.4);
+  const Mesh_view torus = cgp_test::irregular_torus(3, 1, 36, 20),
+                  holed = cgp_test::without_face(torus, 7);
+  for (const Mesh_view& mesh : {cap, holed}) {
+    write("a.off", off(mesh));
+    double deviation = HUGE_VAL;
+    for (const std::string cut : {"", " --cut=4", " --cut=16"}) {
+      ASSERT_EQ(run("flatten a.off --method cones --planar-mesh -o b.ply --json b.json" + cut).code,
+                0);
+      const auto result = json("b.json")["result"];
+      EXPECT_LT(result["quasi_conformal"]["mean"], 1.2);
+      EXPECT_LT(result["scale"]["log_deviation"], deviation);
+      deviation = result["scale"]["log_deviation"];
+      EXPECT_LT(spread_of_boundary(file("a.off"), file("b.ply")), 1.001);
+    }
+    EXPECT_LT(deviation, .2);
+  }
+  EXPECT_TRUE(fails(
+      run("flatten a.off --method cones -o c.ply --cones " + std::to_string(torus.corners(7)[0])),
+      4, "is at the boundary"));
 }
 
 }  // namespace cgp_test::flatten_closed_tests

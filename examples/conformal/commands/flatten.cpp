@@ -9,13 +9,11 @@
 #include "conformal/process/interruption.h"
 #include "conformal/process/text.h"
 #include "conformal/report/keep_exhibit.h"
+#include "conformal/transform/cut_overlaps.h"
 #include "conformal/transform/each_component.h"
 #include "conformal/transform/flat_image.h"
 #include "conformal/transform/suitable_surface.h"
 #include "conformal/transform/write_result.h"
-
-#include <Conformal_geometry_processing/mesh/topology.h>
-#include <Conformal_geometry_processing/parameterization/place_in_plane.h>
 
 #include <algorithm>
 #include <array>
@@ -38,7 +36,8 @@ const char* const flatten_about =
     "tangents of its boundary, which must be one loop, those of a plane curve that turns as it\n"
     "did. Where the boundary is small against the surface, lengths change most, and faces have to\n"
     "be small.\n"
-    "--cut opens closed surfaces first.\n"
+    "--cut opens closed surfaces first. Where parts of their image would overlap, it is cut into\n"
+    "charts side by side.\n"
     "Example: conformal flatten face.off -o face.glb --json face.json";
 
 constexpr int least_tips = 4, most_tips = 64;
@@ -70,11 +69,12 @@ void add_options(CLI::App& command, Flatten_options& options, Common_options& co
 {
   add_input(command, options.input);
   add_transformation(command, common);
-  CLI::Option* method =
-      add_choice(command, "--method", options.method, {"spectral", "dirac", "cones"},
-                 "spectral (normals of the faces), or as in the thesis with those of the vertices: "
-                 "dirac, which is worse on scans; or cones, with --cut: through cones that keep "
-                 "areas, so that both sides of cuts are equally long");
+  CLI::Option* method = add_choice(
+      command, "--method", options.method, {"spectral", "dirac", "cones"},
+      "spectral (normals of the faces), or as in the thesis with those of the vertices: "
+      "dirac, which is worse on scans; or cones, with --cut if the surface is closed: cuts "
+      "with equal sides, through cones that keep areas; a boundary keeps its shares of "
+      "length");
   CLI::Option* loops =
       command.add_flag("--all-loops", options.all_loops,
                        "keep the spread of all boundary loops, and not of the longest alone");
@@ -87,7 +87,8 @@ void add_options(CLI::App& command, Flatten_options& options, Common_options& co
   };
   command
       .add_flag("--cut{0}",
-                "cut closed surfaces open, by short cuts through so many tips (--cut=2; default "
+                "cut closed surfaces open (with --method cones any), by short cuts through so many "
+                "tips (--cut=2; default "
                 "the first of 4, 8, ... 64 that verifies) and around handles; texture coordinates "
                 "jump there, and the flat mesh is open")
       ->check(CLI::NonNegativeNumber)
@@ -95,7 +96,8 @@ void add_options(CLI::App& command, Flatten_options& options, Common_options& co
   command
       .add_option_function<std::vector<std::string>>(
           "--cones", [&options](const auto& words) { options.cut.cones = cones_of(words); },
-          "cut closed surfaces open, through these vertices in place of tips: 7,12,19; of --method "
+          "cut surfaces open likewise, through these vertices in place of tips: 7,12,19; of "
+          "--method "
           "cones with angles in degrees, if you like: 7:90,12,19")
       ->delimiter(',');
   command.add_flag("--planar-mesh", options.planar_mesh,
@@ -128,22 +130,6 @@ std::vector<std::array<double, 2>> in_unit_square(const Surface_input& input,
   }
   return uv;
 }
-
-/// Moves the images of components side by side.
-void place_apart(const CGP::Mesh_view& mesh, CGP::Points& positions)
-{
-  Eigen::VectorXcd z(positions.cols());
-  z.real() = positions.row(0).transpose();
-  z.imag() = positions.row(1).transpose();
-  CGP::place_side_by_side(CGP::connected_components(mesh), z);
-  positions.topRows<2>() = CGP::in_space(z).topRows<2>();
-}
-
-/// the image of all components; those without one are a point
-struct Flat_components {
-  CGP::Points positions;
-  std::vector<char> has_image;  ///< of each vertex
-};
 
 /// of a component that was cut through cones
 Seams seams_of(const Cut_surface& surface, const Component& component)
@@ -201,13 +187,13 @@ Surface_file textured(Surface_file file, const Cut_surface& cut,
 
 Surface_input read_input(const Flatten_options& options, Session& session)
 {
-  return options.cut.is_cut() ? read_suitable_surface(options.input, session)
-                              : read_bounded_surface(options.input, session);
+  return options.cut.opens_closed() ? read_suitable_surface(options.input, session)
+                                    : read_bounded_surface(options.input, session);
 }
 
 Cut_surface opened(const Surface_input& input, const Cut_options& options)
 {
-  if (options.is_cut()) return cut_open(input, options);
+  if (options.opens_closed() || options.makes_flat) return cut_open(input, options);
   return {input, {}, {}, {}};
 }
 
@@ -226,6 +212,11 @@ void tell(const std::vector<Cone>& cones, Report& report)
                            text_of(*greatest, 4) + " degrees");
   report.set("result/cones/vertices", std::move(vertices));
   report.set("result/cones/angles", std::move(angles));
+}
+
+void tell_charts(int charts, Report& report)
+{
+  if (charts > 0) report.tell("result/charts", "charts side by side, so that none overlap", charts);
 }
 
 /// a surface that is cut where it was closed, and its image
@@ -260,7 +251,7 @@ Surface_file file_of(const Cut_surface& surface, Surface_file&& before, const Fl
   const Surface_input& input = surface.input;
   const auto texture = in_unit_square(input, flat.positions);
   const CGP::Points shown = with_those_left(input.mesh, flat);
-  if (options.cut.is_cut() && !options.planar_mesh)
+  if (!surface.origin.empty() && !options.planar_mesh)
     return textured(std::move(before), surface, texture, quality(input, shown));
   Surface_file file = options.planar_mesh ? moved(input, shown) : std::move(before);
   set_texture_coordinates(file, texture);
@@ -276,7 +267,8 @@ void flatten(const Flatten_options& given, Session& session)
   require_writable(output);
   const Surface_input input = read_input(options, session);
   Surface_file before = input.file;
-  const auto [surface, flat] = open_and_flatten(input, options, session);
+  auto [surface, flat] = open_and_flatten(input, options, session);
+  if (!surface.origin.empty()) tell_charts(cut_overlaps(surface, flat), session.report());
   if (options.planar_mesh && !surface.origin.empty())
     session.report().set("result/vertex_before_cuts", surface.origin);
   if (options.cut.tips > 0) session.report().set("result/tips", options.cut.tips);

@@ -3,13 +3,24 @@
 
 #include "conformal/process/at.h"
 
+#include <array>
 #include <cmath>
+#include <vector>
 
 namespace conformal {
 
+namespace {
+
+bool is_at_boundary(const CGP::Mesh_view& mesh, int k)
+{
+  return mesh.twin(*mesh.halfedges_begin(k)) < 0;
+}
+
+}  // namespace
+
 double length(const CGP::Mesh_view& mesh, int k)
 {
-  return mesh.vector(*mesh.halfedges_begin(k)).norm();
+  return is_at_boundary(mesh, k) ? 0 : mesh.vector(*mesh.halfedges_begin(k)).norm();
 }
 
 Shortest_paths::Shortest_paths(const CGP::Mesh_view& mesh, const Edge_set& ways)
@@ -70,12 +81,19 @@ int Shortest_paths::other_end(int k, int v) const
   return ends[0] == v ? ends[1] : ends[0];
 }
 
-void Shortest_paths::reach(int v, double distance, int by)
+void Shortest_paths::reach(int first, double distance, int by)
 {
-  if (distance >= m_distance[at(v)]) return;
-  m_distance[at(v)] = distance;
-  m_first_edge[at(v)] = by;
-  m_nearest.emplace(-distance, v);
+  std::vector<std::array<int, 2>> reached = {{first, by}};
+  while (!reached.empty()) {
+    const auto [v, edge] = reached.back();
+    reached.pop_back();
+    if (distance >= m_distance[at(v)]) continue;
+    m_distance[at(v)] = distance;
+    m_first_edge[at(v)] = edge;
+    m_nearest.emplace(-distance, v);
+    for (const int k : m_edges[at(v)])
+      if (is_at_boundary(m_mesh, k)) reached.push_back({other_end(k, v), k});
+  }
 }
 
 }  // namespace conformal

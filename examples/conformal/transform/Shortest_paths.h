@@ -14,6 +14,7 @@ namespace CGP = Conformal_geometry_processing;
 /// Which edges of a mesh, by their numbers
 using Edge_set = std::vector<char>;
 
+/// of a cut along edge k: nothing at the boundary
 double length(const CGP::Mesh_view& mesh, int k);
 
 /// \brief Shortest paths along edges from all vertices to the nearest root [Dijkstra 1959].
@@ -47,7 +48,8 @@ class Shortest_paths {
   using Farthest_first = std::priority_queue<std::pair<double, int>>;
 
   int other_end(int k, int v) const;
-  void reach(int v, double distance, int by);
+  /// a vertex, and with it all of its boundary loop, which no other path reaches then
+  void reach(int first, double distance, int by);
 
   const CGP::Mesh_view& m_mesh;
   std::vector<std::vector<int>> m_edges;  // at each vertex

@@ -40,15 +40,23 @@ std::vector<int> without_cotree(const CGP::Mesh_view& mesh, const std::vector<in
   std::iota(parent.begin(), parent.end(), 0);
   boost::disjoint_sets<int*, int*> joined(rank.data(), parent.data());
   for (const int k : edges) {
-    const int h = *mesh.halfedges_begin(k);
+    const int h = *mesh.halfedges_begin(k), t = mesh.twin(h);
     const int f = joined.find_set(CGP::Mesh_view::face(h));
-    const int g = joined.find_set(CGP::Mesh_view::face(mesh.twin(h)));
+    const int g = t < 0 ? f : joined.find_set(CGP::Mesh_view::face(t));
     if (f == g)
       left.push_back(k);
     else
       joined.link(f, g);
   }
   return left;
+}
+
+/// where all paths end
+int root(const CGP::Mesh_view& mesh, const std::vector<int>& tips)
+{
+  for (int h = 0; h < mesh.size_of_halfedges(); ++h)
+    if (mesh.twin(h) < 0) return mesh.from(h);
+  return tips.front();
 }
 
 }  // namespace
@@ -70,7 +78,7 @@ std::vector<int> find_tips(const CGP::Mesh_view& mesh, int count, const Edge_set
 Edge_set cut_graph(const CGP::Mesh_view& mesh, const std::vector<int>& tips, const Edge_set& ways)
 {
   Shortest_paths tree(mesh, ways);
-  tree.add_root(tips.front());
+  tree.add_root(root(mesh, tips));
   Edge_set cut(at(mesh.size_of_edges()), 0);
   for (const int v : tips) tree.add_path(v, cut);
   for (const int k : without_cotree(mesh, by_loop_length(mesh, tree, ways))) {

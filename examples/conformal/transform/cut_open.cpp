@@ -36,9 +36,24 @@ Edge_set edges_of_file(const Surface_input& input, const Mesh_component& compone
   Edge_set edges;
   for (int k = 0; k < component.mesh.size_of_edges(); ++k) {
     const int h = *component.mesh.halfedges_begin(k);
-    edges.push_back(polygon(h) != polygon(component.mesh.twin(h)));
+    const int t = component.mesh.twin(h);
+    edges.push_back(t < 0 || polygon(h) != polygon(t));
   }
   return edges;
+}
+
+/// At the boundary there are no cones.
+void require_inside(const Surface_input& input, const Mesh_component& component,
+                    const std::vector<Cone>& cones)
+{
+  const CGP::Mesh_view& mesh = component.mesh;
+  for (int h = 0; h < mesh.size_of_halfedges(); ++h)
+    for (const Cone& cone : cones)
+      if (mesh.twin(h) < 0 && mesh.from(h) == cone.vertex)
+        throw unsuitable(
+            input.file.path,
+            "vertex " + std::to_string(vertex_in_file(input, component, cone.vertex)) +
+                " is at the boundary, where the angle is free; try: others for --cones");
 }
 
 /// the given cones that lie on the component
@@ -52,15 +67,25 @@ std::vector<Cone> given_cones(const Surface_input& input, const Mesh_component& 
                                    [i](const Cone& given) { return given.vertex == i; });
     if (cone != options.cones.end()) found.push_back({v, cone->defect});
   }
-  const bool is_sphere = CGP::topology(component.mesh).is_sphere();
-  if (!options.cones.empty() && (found.empty() || (is_sphere && found.size() < 2)))
+  const CGP::internal::Topology topology = CGP::topology(component.mesh);
+  if (!topology.is_closed()) require_inside(input, component, found);
+  const bool is_sphere = topology.is_sphere(),
+             is_wanted = topology.is_closed() && !options.cones.empty();
+  if (is_wanted && (found.empty() || (is_sphere && found.size() < 2)))
     throw unsuitable(input.file.path,
                      "--cones wants vertices of each closed component, two at least of a sphere; "
                      "try: --cut, which finds them");
   return found;
 }
 
-/// The cuts of a closed component, and the metric that it gets
+int inner_vertices(const CGP::Mesh_view& mesh)
+{
+  int count = mesh.size_of_vertices();
+  for (const auto& loop : CGP::boundary_loops(mesh)) count -= static_cast<int>(loop.size());
+  return count;
+}
+
+/// The cuts of a component, and the metric that it gets
 class Opening {
  public:
   Opening(const Surface_input& input, const Mesh_component& component, const Cut_options& options)
@@ -99,14 +124,15 @@ class Opening {
   void flatten(const std::vector<Cone>& given, const Cut_options& options)
   {
     const CGP::Mesh_view& mesh = m_component.mesh;
-    const int least = CGP::topology(mesh).is_sphere() ? 3 : 1;
+    const CGP::internal::Topology topology = CGP::topology(mesh);
+    const int least = topology.is_sphere() ? 3 : topology.is_closed() ? 1 : 0;
     const int count =
         given.empty() ? std::max(options.tips, least) : static_cast<int>(given.size());
     if (count < least)
       throw unsuitable(m_input.file.path,
                        "a sphere that is flat outside its cones has three at least");
     CGP::internal::Cone_metric metric =
-        CGP::internal::place_cones(mesh, std::min(count, mesh.size_of_vertices()), given);
+        CGP::internal::place_cones(mesh, std::min(count, inner_vertices(mesh)), given);
     require_angles(metric.cones);
     m_cones = std::move(metric.cones);
     m_log_scale = std::move(metric.log_scale);
@@ -126,7 +152,7 @@ class Opening {
                                                 std::to_string(in_file(cone.vertex)) +
                                                 "; try: more cones, or other angles");
     }
-    if (std::abs(sum - wanted) < 1e-6) return;
+    if (!CGP::topology(m_component.mesh).is_closed() || std::abs(sum - wanted) < 1e-6) return;
     throw unsuitable(m_input.file.path,
                      "what the angles of the cones lack of 360 degrees adds up to " +
                          text_of(sum, 8) + ", wanted " + text_of(wanted, 8) +
@@ -154,22 +180,30 @@ Eigen::VectorXd at_copies(const std::vector<double>& values, const Cut_surface& 
 
 }  // namespace
 
+Cut_surface cut_along(Surface_file file, std::vector<Corner_fans::Edge> cuts)
+{
+  std::sort(cuts.begin(), cuts.end());
+  Cut_surface surface;
+  const Corner_fans fans(file.polygons, cuts);
+  surface.origin = separate_fans(file, fans).vertex_in_file;
+  surface.input = prepare(std::move(file));
+  return surface;
+}
+
 Cut_surface cut_open(const Surface_input& input, const Cut_options& options)
 {
   std::vector<Corner_fans::Edge> cuts;
   std::vector<double> log_scale(input.file.points.size(), 0);
-  Cut_surface surface;
+  std::vector<Cone> cones;
   for (const Mesh_component& component : CGP::mesh_components(input.mesh)) {
-    if (!CGP::topology(component.mesh).is_closed()) continue;
+    const bool is_closed = CGP::topology(component.mesh).is_closed();
+    if (is_closed ? !options.opens_closed() : !options.makes_flat) continue;
     const Opening opening(input, component, options);
     opening.add_cut(cuts);
-    opening.add_metric(log_scale, surface.cones);
+    opening.add_metric(log_scale, cones);
   }
-  std::sort(cuts.begin(), cuts.end());
-  Surface_file file = input.file;
-  const Corner_fans fans(file.polygons, cuts);
-  surface.origin = separate_fans(file, fans).vertex_in_file;
-  surface.input = prepare(std::move(file));
+  Cut_surface surface = cut_along(input.file, std::move(cuts));
+  surface.cones = std::move(cones);
   if (options.makes_flat) surface.log_scale = at_copies(log_scale, surface);
   return surface;
 }

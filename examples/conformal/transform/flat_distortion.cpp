@@ -20,10 +20,13 @@ Flat_distortion flat_distortion(const CGP::Mesh_view& mesh, const CGP::Points& p
   for (const double q : Q) has_area.push_back(std::isfinite(q));
   const auto part = CGP::internal::selected_faces(framed, has_area);
   const int n = part.mesh.size_of_faces();
-  Flat_distortion found{mesh.size_of_faces() - n, {}, {}};
+  Flat_distortion found{mesh.size_of_faces() - n, {}, {}, {}};
   if (n == 0) return found;
+  const CGP::Points image = flat(Eigen::indexing::all, part.vertices);
+  found.overlap =
+      CGP::internal::overlap_summary(CGP::internal::overlaps(part.mesh, image), part.mesh, image);
   const CGP::Points up = Eigen::Vector3d::UnitZ().replicate(1, n);
-  found.map = CGP::conformality(part.mesh, flat(Eigen::indexing::all, part.vertices), up);
+  found.map = CGP::conformality(part.mesh, image, up);
   found.uniform_quasi_conformal = CGP::distribution(Q(part.faces), Eigen::VectorXd::Ones(n));
   return found;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Conformal_geometry_processing/measure/Conformality.h>
+#include <Conformal_geometry_processing/measure/overlaps.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 
 namespace conformal {
@@ -14,6 +15,7 @@ struct Flat_distortion {
   int collapsed = 0;                                    ///< faces whose images have no area
   CGP::Conformality map;                                ///< of the others
   CGP::internal::Distribution uniform_quasi_conformal;  ///< of the others, by their number
+  CGP::internal::Overlap_summary overlap;
 };
 
 /// \param positions 3 x |V| in units of the mesh, with z = 0

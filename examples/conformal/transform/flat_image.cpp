@@ -24,7 +24,7 @@ namespace {
 std::string other_ways(const Flatten_options& options)
 {
   if (options.method != Flatten_method::spectral) return "--method spectral";
-  if (!options.cut.is_cut()) return "to cut the surface open, or remove slivers";
+  if (!options.cut.opens_closed()) return "to cut the surface open, or remove slivers";
   if (options.cut.finds_tips) return "to remove slivers: 4 to 64 tips of cuts were tried";
   const int tips = 2 * std::max(options.cut.tips, static_cast<int>(options.cut.cones.size()));
   return "more cuts: --cut=" + std::to_string(tips) + ", or remove slivers";
@@ -47,6 +47,9 @@ void tell(const Flat_distortion& distortion, int faces, Report& report)
     report.show("faces without area in the plane, not measured",
                 std::to_string(distortion.collapsed) + " of " + std::to_string(faces));
   tell_conformality(distortion.map, faces - distortion.collapsed, report);
+  report.set("result/overlap/faces", distortion.overlap.faces);
+  report.tell("result/overlap/share", "share of the image that overlaps", distortion.overlap.share,
+              3);
   report.show("standard deviation of the log of the scale",
               text_of(distortion.map.scale.log_deviation, 3));
   const auto& Q = distortion.uniform_quasi_conformal;

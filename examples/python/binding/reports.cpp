@@ -202,6 +202,7 @@ py::dict as_dict(const CGP::Parameterization_report& r)
                   "normalized_vertices"_a = r.normalized_vertices,
                   "conformality"_a = as_dict(r.conformality),
                   "uniform_quasi_conformal"_a = as_dict(r.uniform_quasi_conformal),
+                  "overlap"_a = py::dict("faces"_a = r.overlap.faces, "share"_a = r.overlap.share),
                   "seconds"_a = as_dict(r.seconds));
 }
 

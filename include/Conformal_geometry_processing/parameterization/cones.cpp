@@ -2,37 +2,56 @@
 #include <Conformal_geometry_processing/parameterization/cones.h>
 
 #include <Conformal_geometry_processing/mesh/normals.h>
+#include <Conformal_geometry_processing/mesh/topology.h>
 #include <Conformal_geometry_processing/operators/cotan_laplacian.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 #include <Conformal_geometry_processing/operators/vertex_graph.h>
-#include <Quaternionic_linear_algebra/direct/Grounded_solver.h>
+#include <Quaternionic_linear_algebra/algebra/Hermitian_sparse_matrix.h>
+#include <Quaternionic_linear_algebra/direct/Dirichlet_solver.h>
 
 #include <Eigen/Dense>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <vector>
 
 namespace Conformal_geometry_processing::internal {
 namespace {
 
 const double pi = std::acos(-1.);
 
+/// where u is given: at the boundary, or at one vertex of a closed surface, as u is known up to a
+/// constant
+std::vector<int> grounded_vertices(const Mesh_view& mesh)
+{
+  std::vector<char> is_there(static_cast<std::size_t>(mesh.size_of_vertices()), 0);
+  for (int h = 0; h < mesh.size_of_halfedges(); ++h)
+    if (mesh.twin(h) < 0) is_there[static_cast<std::size_t>(mesh.from(h))] = 1;
+  std::vector<int> found;
+  for (int v = 0; v < mesh.size_of_vertices(); ++v)
+    if (is_there[static_cast<std::size_t>(v)]) found.push_back(v);
+  return found.empty() ? std::vector<int>{0} : found;
+}
+
 /// The variance of u = u_0 + sum of defect_c g_c over the area, where L g_c is the Dirac measure of
-/// cone c
+/// cone c, less that of the area where the surface is closed
 class Scale_variance {
  public:
   /// \param count of cones that are to come
   Scale_variance(const Mesh_view& mesh, int count)
-      : m_solver(vertex_graph(mesh)),
+      : m_is_closed(is_closed(mesh)),
+        m_laplacian(cotan_laplacian(mesh)),
+        m_solver(vertex_graph(mesh), grounded_vertices(mesh)),
         m_areas(vertex_areas(mesh) / vertex_areas(mesh).sum()),
         m_curvature(angle_defects(mesh))
   {
-    m_solver.factorize(cotan_laplacian(mesh));
-    m_u = centred(m_solver.solve(m_curvature.sum() * m_areas - m_curvature));
+    m_solver.factorize(m_laplacian);
+    m_u = centred(solve(spread(m_curvature.sum()) - m_curvature));
     m_responses.resize(m_areas.size(), 0);
-    m_largest = (std::max)(pi, m_curvature.sum() / count);
-    m_least = (std::min)(-pi, m_curvature.sum() / count);
+    const double share = m_is_closed ? m_curvature.sum() / count : 0;
+    m_largest = (std::max)(pi, share);
+    m_least = (std::min)(-pi, share);
   }
 
   int size_of_cones() const { return static_cast<int>(m_cones.size()); }
@@ -48,20 +67,22 @@ class Scale_variance {
   void add(const Cone& cone)
   {
     m_cones.push_back(cone);
-    Eigen::VectorXd source = -m_areas;
+    Eigen::VectorXd source = -spread(1);
     source[cone.vertex] += 1;
     m_responses.conservativeResize(Eigen::NoChange, m_responses.cols() + 1);
-    m_responses.rightCols<1>() = centred(m_solver.solve(source));
+    m_responses.rightCols<1>() = centred(solve(source));
     minimize();
   }
 
-  /// The vertex where a cone changes the variance most, for a small defect that the others lose
+  /// The vertex where a cone changes the variance most, for a small defect that the others of a
+  /// closed surface lose
   int best_vertex() const
   {
-    const Eigen::VectorXd slope = m_solver.solve(m_areas.cwiseProduct(scale()));
-    Eigen::VectorXd gain = -slope;  // of a first positive defect
+    const Eigen::VectorXd slope = solve(m_areas.cwiseProduct(scale()));
     const std::vector<Eigen::Index> free = free_cones();
-    if (!free.empty()) {
+    Eigen::VectorXd gain = slope.cwiseAbs();
+    if (m_is_closed && free.empty()) gain = -slope;  // of a first positive defect
+    if (m_is_closed && !free.empty()) {
       double level = 0;
       for (const Eigen::Index c : free) level += slope[m_cones[static_cast<std::size_t>(c)].vertex];
       gain = (slope.array() - level / static_cast<double>(free.size())).abs();
@@ -73,6 +94,16 @@ class Scale_variance {
   }
 
  private:
+  static bool is_closed(const Mesh_view& mesh) { return topology(mesh).is_closed(); }
+
+  /// A curvature on the whole of a closed surface, which has no place elsewhere
+  Eigen::VectorXd spread(double curvature) const { return (m_is_closed ? curvature : 0) * m_areas; }
+
+  Eigen::VectorXd solve(const Eigen::VectorXd& b) const
+  {
+    return m_solver.solve(m_laplacian, b, Eigen::VectorXd::Zero(b.size()));
+  }
+
   Eigen::VectorXd centred(Eigen::VectorXd u) const
   {
     u.array() -= m_areas.dot(u);
@@ -103,7 +134,8 @@ class Scale_variance {
       const Eigen::VectorXd defects = least_variance(free);
       const Eigen::VectorXd within = defects.cwiseMin(m_largest).cwiseMax(m_least);
       Eigen::Index worst = 0;
-      if ((defects - within).cwiseAbs().maxCoeff(&worst) == 0 || free.size() == 1) {
+      if ((defects - within).cwiseAbs().maxCoeff(&worst) == 0 ||
+          (m_is_closed && free.size() == 1)) {
         m_defects(free) = defects;
         return;
       }
@@ -112,22 +144,27 @@ class Scale_variance {
     }
   }
 
-  /// The defects of the free cones, the others given: a quadratic problem with one constraint
+  /// The defects of the free cones, the others given: a quadratic problem, with one constraint if
+  /// the surface is closed
   Eigen::VectorXd least_variance(const std::vector<Eigen::Index>& free) const
   {
     const auto n = static_cast<Eigen::Index>(free.size());
     const Eigen::MatrixXd g = m_responses(Eigen::indexing::all, free);
-    Eigen::MatrixXd A = Eigen::MatrixXd::Zero(n + 1, n + 1);
+    Eigen::MatrixXd A = Eigen::MatrixXd::Identity(n + 1, n + 1);
     A.topLeftCorner(n, n) = g.transpose() * m_areas.asDiagonal() * g;
-    A.row(n).head(n).setOnes();
-    A.col(n).head(n).setOnes();
-    Eigen::VectorXd b(n + 1);
+    Eigen::VectorXd b = Eigen::VectorXd::Zero(n + 1);
     b.head(n) = -g.transpose() * m_areas.cwiseProduct(scale());  // in which theirs are zero
-    b[n] = m_curvature.sum() - m_defects.sum();
+    if (m_is_closed) {
+      A.row(n) << Eigen::RowVectorXd::Ones(n), 0;
+      A.col(n) = A.row(n).transpose();
+      b[n] = m_curvature.sum() - m_defects.sum();
+    }
     return A.fullPivLu().solve(b).head(n);
   }
 
-  Grounded_solver m_solver;
+  bool m_is_closed;
+  Hermitian_sparse_matrix<double> m_laplacian;
+  Dirichlet_solver<double> m_solver;
   Eigen::VectorXd m_areas, m_curvature, m_u;
   Eigen::MatrixXd m_responses;  // |V| x cones
   std::vector<Cone> m_cones;    // as they are wanted
@@ -140,6 +177,8 @@ class Scale_variance {
 Eigen::VectorXd angle_defects(const Mesh_view& mesh)
 {
   Eigen::VectorXd defects = Eigen::VectorXd::Constant(mesh.size_of_vertices(), 2 * pi);
+  for (int h = 0; h < mesh.size_of_halfedges(); ++h)
+    if (mesh.twin(h) < 0) defects[mesh.from(h)] -= pi;
   for (int f = 0; f < mesh.size_of_faces(); ++f)
     for (int c = 0; c < 3; ++c)
       defects[mesh.corners(f)[static_cast<std::size_t>(c)]] -= corner_angle(mesh.sheet(f), c);

@@ -26,9 +26,8 @@ struct Cone_metric {
 };
 
 /// \ingroup PkgParameterization
-/// \brief The angle defects K of the vertices: 2 pi minus the sum of the angles, |V|. They sum to
-/// 2 pi chi.
-/// \pre the mesh is closed
+/// \brief The angle defects K of the vertices: 2 pi minus the sum of the angles, pi at the
+/// boundary, |V|. They sum to 2 pi chi.
 Eigen::VectorXd angle_defects(const Mesh_view& mesh);
 
 /// \ingroup PkgParameterization
@@ -36,12 +35,14 @@ Eigen::VectorXd angle_defects(const Mesh_view& mesh);
 /// them.
 ///
 /// Each cone is placed where curvature decreases the variance of u most, after those before it; the
-/// defects that are not given then minimize it, between -pi and pi each where that is possible,
-/// with the sum 2 pi chi [Gauss and Bonnet]. So the variance falls with the number of cones. One
-/// factorization, and two solves for each cone.
-/// \param count how many, at least 4 chi / 3 and not more than vertices
-/// \param first vertices that are cones, with defects or without, at most `count`
-/// \pre the mesh is closed and connected
+/// defects that are not given then minimize it, between -pi and pi each where that is possible. So
+/// the variance falls with the number of cones. On a closed surface they sum to 2 pi chi [Gauss and
+/// Bonnet]. A boundary takes what they leave: u is constant there, which of all boundary values
+/// gives the least Dirichlet energy of u, and no cone lies on it. One factorization, and two solves
+/// for each cone.
+/// \param count how many, not more than inner vertices; at least 4 chi / 3 on a closed surface
+/// \param first inner vertices that are cones, with defects or without, at most `count`
+/// \pre the mesh is connected
 Cone_metric place_cones(const Mesh_view& mesh, int count, const std::vector<Cone>& first = {});
 
 }  // namespace Conformal_geometry_processing::internal

@@ -75,9 +75,37 @@ Spring spring_of(const Seam& seam)
   Spring c;
   c[seam.right[1]] += 1;
   c[seam.right[0]] -= 1;
-  c[seam.left[1]] -= seam.rotation;
-  c[seam.left[0]] += seam.rotation;
+  c[seam.left[1]] -= seam.ratio;
+  c[seam.left[0]] += seam.ratio;
   return c;
+}
+
+/// The halfedges at cuts and at the boundary
+Sides sides_of(const Mesh_view& mesh, const std::vector<int>& origin)
+{
+  Sides sides;
+  for (int h = 0; h < mesh.size_of_halfedges(); ++h)
+    if (mesh.twin(h) < 0)
+      sides[{origin[static_cast<std::size_t>(mesh.from(h))],
+             origin[static_cast<std::size_t>(mesh.to(h))]}] = h;
+  return sides;
+}
+
+/// Joins each edge of the boundary before cuts to the next one, also where a cut ends between them.
+void add_boundary(const Mesh_view& mesh, const Sides& sides, const Unfolding& unfolding,
+                  std::vector<Seam>& seams)
+{
+  std::map<int, std::array<int, 2>> boundary;  // by the origin where it begins: where it ends, h
+  for (const auto& [ends, h] : sides)
+    if (sides.count({ends[1], ends[0]}) == 0) boundary[ends[0]] = {ends[1], h};
+  for (const auto& [from, edge] : boundary) {
+    const auto [to, h] = edge;
+    const int t = boundary.at(to)[1];
+    const double ratio = mesh.vector(t).norm() / mesh.vector(h).norm();
+    seams.push_back({{mesh.from(h), mesh.to(h)},
+                     {mesh.from(t), mesh.to(t)},
+                     std::polar(ratio, unfolding.direction(t) - unfolding.direction(h))});
+  }
 }
 
 }  // namespace
@@ -86,20 +114,18 @@ std::vector<Seam> seams_of(const Mesh_view& mesh, const std::vector<int>& origin
                            const Eigen::VectorXd& log_scale)
 {
   const Unfolding unfolding(mesh, log_scale);
-  const auto at = [&](int v) { return origin[static_cast<std::size_t>(v)]; };
-  Sides sides;
+  const Sides sides = sides_of(mesh, origin);
   std::vector<Seam> seams;
-  for (int h = 0; h < mesh.size_of_halfedges(); ++h) {
-    if (mesh.twin(h) >= 0) continue;
-    sides[{at(mesh.from(h)), at(mesh.to(h))}] = h;
-    const auto other = sides.find({at(mesh.to(h)), at(mesh.from(h))});
-    if (other == sides.end()) continue;
+  for (const auto& [ends, h] : sides) {
+    const auto other = sides.find({ends[1], ends[0]});
+    if (other == sides.end() || ends[0] > ends[1]) continue;
     const int t = other->second;
     const double angle =
         unfolding.direction(t) - unfolding.direction(h) - half_turn - unfolding.turn(h, t);
     seams.push_back(
         {{mesh.from(h), mesh.to(h)}, {mesh.to(t), mesh.from(t)}, std::polar(1., angle)});
   }
+  add_boundary(mesh, sides, unfolding, seams);
   return seams;
 }
 

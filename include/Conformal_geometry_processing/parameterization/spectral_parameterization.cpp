@@ -155,6 +155,8 @@ void certify(const Mesh_view& mesh, const Eigen::VectorXcd& z, Parameterization_
   report.uniform_quasi_conformal = distribution(quasi_conformal_errors(mesh, positions),
                                                 Eigen::VectorXd::Ones(mesh.size_of_faces()));
   report.converged = report.converged && z.allFinite();
+  if (report.converged)
+    report.overlap = overlap_summary(overlaps(mesh, positions), mesh, positions);
 }
 
 /// against the energy, which is dimensionless: the sides of a seam differ by its inverse

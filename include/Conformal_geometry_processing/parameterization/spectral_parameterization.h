@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Conformal_geometry_processing/measure/Conformality.h>
+#include <Conformal_geometry_processing/measure/overlaps.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 #include <Conformal_geometry_processing/mesh/Normalized_frame.h>
 #include <Conformal_geometry_processing/mesh/normals.h>
@@ -29,8 +30,8 @@ namespace Conformal_geometry_processing {
 /// \ingroup PkgParameterization
 /// \brief Quality measures of a parameterization.
 ///
-/// If a surface is far from flat, faces may be flipped, or distant parts of the image may overlap;
-/// `conformality.flipped_faces` counts the former, the latter is not checked.
+/// If a surface is far from flat, faces may be flipped, or distant parts of the image may overlap:
+/// `conformality.flipped_faces` counts the former, `overlap` the latter.
 struct [[nodiscard]] Parameterization_report {
   bool converged = false;  ///< the eigenvector has converged to the tolerance
   double eigenvalue = 0;   ///< minimal energy over the variance of the boundary; 0 if it is flat
@@ -42,6 +43,7 @@ struct [[nodiscard]] Parameterization_report {
 
   Conformality conformality;                       ///< of the map from the surface to the plane
   internal::Distribution uniform_quasi_conformal;  ///< of Q, with equal weights of all faces
+  internal::Overlap_summary overlap;               ///< of the image with itself
 
   /// Wall clock seconds
   struct Seconds {
@@ -128,7 +130,7 @@ struct Parameterization_options {
   double tolerance = 1e-6;  ///< of the relative error of the map in the norm of the energy
   int maximum_number_of_iterations = 100;
   Map_solvers solvers = {};  ///< for the linear systems
-  /// edges whose two sides are to have images that differ by given rotations; of faces' normals
+  /// edges whose images are to differ by given similarities; of faces' normals
   std::vector<internal::Seam> seams = {};
 };
 

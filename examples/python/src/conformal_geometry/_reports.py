@@ -250,9 +250,17 @@ class Parameterization_seconds:
 
 
 @dataclass(frozen=True)
+class Overlap_summary:
+    """How much of the image covers what another part of it covers: the faces, and the common area of all pairs by
+    the area of the image."""
+    faces: int
+    share: float
+
+
+@dataclass(frozen=True)
 class Parameterization_report(Report):
-    """The numbers that verify a parameterization. It may have flipped faces; they are counted in
-    conformality."""
+    """The numbers that verify a parameterization. It may have flipped faces, which are counted in conformality, and
+    parts that overlap."""
     fault: Optional[str]
     converged: bool
     eigenvalue: float
@@ -263,6 +271,7 @@ class Parameterization_report(Report):
     normalized_vertices: int
     conformality: Conformality
     uniform_quasi_conformal: Distribution
+    overlap: Overlap_summary
     seconds: Parameterization_seconds
 
 

@@ -1,0 +1,129 @@
+// Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+#include <Conformal_geometry_processing/measure/overlaps.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <vector>
+
+namespace Conformal_geometry_processing::internal {
+namespace {
+
+using Point = std::complex<double>;
+using Polygon = std::vector<Point>;
+
+/// twice the area of a triangle, positive if it is counter-clockwise
+double orientation(const Point& a, const Point& b, const Point& c)
+{
+  return std::imag(std::conj(b - a) * (c - a));
+}
+
+using Triangle = std::array<Point, 3>;
+
+double signed_area(const Triangle& t)
+{
+  return orientation(t[0], t[1], t[2]) / 2;
+}
+
+Triangle image(const Mesh_view& mesh, int f, const Points& positions)
+{
+  Triangle t;
+  for (std::size_t c = 0; c < 3; ++c) {
+    const auto p = positions.col(mesh.corners(f)[c]);
+    t[c] = {p.x(), p.y()};
+  }
+  return t;
+}
+
+/// the part of a convex polygon on the left of the line from a to b
+Polygon left_part(const Polygon& polygon, const Point& a, const Point& b)
+{
+  Polygon part;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Point &p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
+    const double at_p = orientation(a, b, p), at_q = orientation(a, b, q);
+    if (at_p >= 0) part.push_back(p);
+    if ((at_p > 0 && at_q < 0) || (at_p < 0 && at_q > 0))
+      part.push_back(p + at_p / (at_p - at_q) * (q - p));
+  }
+  return part;
+}
+
+/// A face of positive area in the plane, and the box around it
+struct Flat_face {
+  int face;
+  Triangle corners;
+  double area, left, right, low, high;
+
+  Flat_face(int f, const Triangle& z) : face(f), corners(z), area(signed_area(z))
+  {
+    const auto x = std::minmax({z[0].real(), z[1].real(), z[2].real()});
+    const auto y = std::minmax({z[0].imag(), z[1].imag(), z[2].imag()});
+    left = x.first, right = x.second, low = y.first, high = y.second;
+  }
+};
+
+double common_area(const Flat_face& a, const Flat_face& b)
+{
+  Polygon part(a.corners.begin(), a.corners.end());
+  for (std::size_t c = 0; c < 3 && !part.empty(); ++c)
+    part = left_part(part, b.corners[c], b.corners[(c + 1) % 3]);
+  double area = 0;
+  for (std::size_t i = 2; i < part.size(); ++i)
+    area += orientation(part[0], part[i - 1], part[i]) / 2;
+  return area;
+}
+
+std::vector<Flat_face> by_left_end(const Mesh_view& mesh, const Points& positions)
+{
+  std::vector<Flat_face> faces;
+  for (int f = 0; f < mesh.size_of_faces(); ++f) {
+    const Flat_face face(f, image(mesh, f, positions));
+    if (face.area > 0) faces.push_back(face);
+  }
+  std::sort(faces.begin(), faces.end(),
+            [](const Flat_face& a, const Flat_face& b) { return a.left < b.left; });
+  return faces;
+}
+
+const double least_share = 1e-6;  // of the smaller face; less is rounding along common edges
+
+}  // namespace
+
+std::vector<Overlap> overlaps(const Mesh_view& mesh, const Points& positions)
+{
+  const std::vector<Flat_face> faces = by_left_end(mesh, positions);
+  std::vector<Overlap> found;
+  for (auto a = faces.begin(); a != faces.end(); ++a)
+    for (auto b = a + 1; b != faces.end() && b->left < a->right; ++b) {
+      if (b->high <= a->low || a->high <= b->low) continue;
+      const double area = common_area(*a, *b);
+      if (area > least_share * (std::min)(a->area, b->area))
+        found.push_back({(std::min)(a->face, b->face), (std::max)(a->face, b->face), area});
+    }
+  std::sort(found.begin(), found.end(), [](const Overlap& a, const Overlap& b) {
+    return std::array{a.first, a.second} < std::array{b.first, b.second};
+  });
+  return found;
+}
+
+Overlap_summary overlap_summary(const std::vector<Overlap>& pairs, const Mesh_view& mesh,
+                                const Points& positions)
+{
+  std::vector<char> has_one(static_cast<std::size_t>(mesh.size_of_faces()), 0);
+  Overlap_summary found;
+  for (const auto& [first, second, area] : pairs) {
+    has_one[static_cast<std::size_t>(first)] = has_one[static_cast<std::size_t>(second)] = 1;
+    found.share += area;
+  }
+  found.faces = static_cast<int>(std::count(has_one.begin(), has_one.end(), 1));
+  double area = 0;
+  for (int f = 0; f < mesh.size_of_faces(); ++f)
+    area += std::abs(signed_area(image(mesh, f, positions)));
+  if (area > 0) found.share /= area;
+  return found;
+}
+
+}  // namespace Conformal_geometry_processing::internal
