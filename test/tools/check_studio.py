@@ -20,7 +20,7 @@ from devtools import browser
 from headless_page import read_png
 from studio_files import check_files
 from studio_page import Studio, check_same, program
-from studio_view import check_phone, check_pointer
+from studio_view import check_first_look, check_phone, check_pointer
 
 CONTROL, MANY_STROKES, ROUNDING = 2, 200, 1e-6
 
@@ -276,6 +276,7 @@ def main():
             studio.open(folder / "demo.html")
             check_shapes(studio, conformal)
             check_files(studio, conformal, folder / "demo.html")
+            check_first_look(studio, folder / "demo.html")
             check_pointer(studio, folder / "demo.html")
             check_phone(studio, folder / "demo.html")
             require(not page.complaints, f"the browser complains: {page.complaints}"[:2000])

@@ -8,7 +8,7 @@ import subprocess
 from devtools import browser
 from headless_page import read_png
 
-PHONES = ((360, 800), (390, 800), (430, 930))
+PHONES = ((360, 800), (400, 860), (430, 930))
 EMPTY, NAMES = (238, 241, 245), 30  # the colour of the view where no surface is; pixels above each shape
 TILES = ("[...document.querySelectorAll('#tiles li')].map(tile => [tile.querySelector('span').textContent,"
          "tile.className, tile.querySelector('b').textContent, tile.querySelector('small')?.textContent ?? ''])")
@@ -53,6 +53,32 @@ def check_tiles(page, report, require):
     require(error in page.value("document.querySelector('#remarks').textContent"), "no reason is told")
 
 
+def check_rows(page, require):
+    """Tiles are as wide as each other, also those that a row is too short for, and their words in lines."""
+    boxes = page.value("[...document.querySelectorAll('#tiles li')].map(tile => (r => [r.width, r.top])"
+                       "(tile.getBoundingClientRect()))")
+    widths, tops = [width for width, _ in boxes], [top for _, top in boxes]
+    require(max(widths) - min(widths) < 2, f"tiles are {widths} pixels wide")
+    rows = [tops.count(top) for top in sorted(set(tops))]
+    require(max(rows) - min(rows[:-1] or rows) == 0, f"rows of {rows} tiles")
+
+
+def check_flat(page, conformal, source, require):
+    """A map to the plane says what it was, and what would overlap."""
+    path, report = source.with_name("flat.html"), source.with_name("flat.json")
+    subprocess.run([conformal, "flatten", "-q", source, "--method", "cones", "--cut=24", "-o",
+                    source.with_name("c.ply"), "--html", path, "--json", report], check=True)
+    result = json.loads(report.read_text())["result"]
+    open_report(page, path, 1200, 800)
+    words = page.value("document.querySelector('#asked').textContent")
+    require("a map to the plane" in words and "24 cones" in words, f"flatten: what was asked is {words!r}")
+    told = [tile for tile in page.value(TILES) if "overlap" in tile[0]]
+    require(len(told) == ("charts" in result) and all(f"{result['charts']} charts" in tile[0] for tile in told),
+            f"flatten: {result['overlap']} is told by {told}")
+    check_rows(page, require)
+    page.save(source.with_name("flat_1200.png"))
+
+
 def check_folded(page, require):
     """Tables and charts are in the page, folded."""
     for name in ("histogram", "scales", "certificate", "options", "seconds", "json"):
@@ -88,7 +114,9 @@ def check_head(conformal, chromium, source, require):
             path, report = source.with_name(f"{name}.html"), source.with_name(f"{name}.json")
             subprocess.run([conformal, command, "-q", source, *options, "-o", source.with_name("c.ply"), "--html", path,
                             "--json", report], check=False)
-            open_report(page, path, 1200, 900)
+            open_report(page, path, 1200, 800)
+            page.save(source.with_name(f"{name}_1200.png"))
+            check_rows(page, require)
             check_tiles(page, json.loads(report.read_text()), require)
             words = page.value("document.querySelector('#asked').textContent")
             require(asked[name] in words, f"{name}: what was asked is {words!r}")
@@ -101,4 +129,5 @@ def check_head(conformal, chromium, source, require):
                 page.value("document.querySelectorAll('details').forEach(e => e.open = true)")
                 wide = page.value("document.documentElement.scrollWidth")
                 require(wide <= width, f"{name}, unfolded, is {wide} pixels wide on a phone of {width}")
+        check_flat(page, conformal, source, require)
         require(not page.complaints, f"the browser complains: {page.complaints}"[:2000])

@@ -5,6 +5,7 @@ from check_html_report import EMPTY, require
 from headless_page import read_png
 
 PHONES = ((360, 740), (390, 800), (430, 930))
+LOOKS = ((400, 860), (1200, 800))
 NAMES = 30  # pixels of the names above views that are one above the other
 
 
@@ -113,6 +114,31 @@ def check_finger(studio):
         require(drag == wanted, f"a finger {away} pixels beside the shape: {drag}")
 
 
+def check_told(studio):
+    """A phone shows the verdict below the view, in place of the words that it answers."""
+    words, bottom, hint = studio.page.value(
+        "(() => { const told = document.querySelector('#told'), hint = document.querySelector('.hint');"
+        "return [told.textContent, told.getBoundingClientRect().bottom, hint.getClientRects().length] })()")
+    height = studio.page.value("innerHeight")
+    require("Verified" in words and bottom < height and hint == 0,
+            f"{words!r} ends at {bottom} of {height}, hint {hint}")
+
+
+def check_first_look(studio, path):
+    """Before anything is done: an invitation that moves, sliders and undo without scrolling; pictures to look at."""
+    for width, height in LOOKS:
+        studio.open(path, width, height, touch=width < 600)
+        studio.picture(f"first_{width}.png")
+        seen = studio.page.value(
+            "['#invitation', '.finger', '#undo', '#size', '#strength', '#amount'].map(e => document.querySelector(e))"
+            ".map(e => [e.getClientRects().length > 0, e.getBoundingClientRect().top < innerHeight])")
+        wanted = [[True, True]] * (6 if width > 600 else 5)  # a phone has the third slider further down
+        require(seen[:len(wanted)] == wanted, f"at {width} pixels: {seen}")
+        require(studio.page.value("document.querySelector('.finger').getAnimations().length") > 0, "nothing moves")
+        wide = studio.page.value("document.documentElement.scrollWidth")
+        require(wide <= width, f"the page is {wide} pixels wide at {width}")
+
+
 def check_phone(studio, path):
     for width, height in PHONES:
         studio.open(path, width, height, touch=True)
@@ -125,5 +151,6 @@ def check_phone(studio, path):
         studio.page.touch([[(x + 5 * i, y)] for i in range(6)])
         studio.settle()
         require(studio.report().get("verified") is True, "a finger does not paint")
+        check_told(studio)
         check_room(studio, f"phone_{width}_painted.png")
     check_finger(studio)

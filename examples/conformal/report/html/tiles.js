@@ -18,9 +18,16 @@ function asked() {
   if (command === 'spin')
     return `Asked: a change of mean curvature ρ${from ? ` = ${from[1]}${options[from[0]]}` : ''}${range}${within}.`;
   if (command === 'flow') return `Asked: at most ${options.steps} steps of the Willmore flow, which smoothes.`;
+  if (command === 'flatten') return `Asked: ${askedOfPlane()}.`;
   if (isNumber(at('result/targets/count')))
     return `Asked: ${at('result/targets/count')} vertices at their targets${within}.`;
   return '';
+}
+
+function askedOfPlane() {
+  const cones = at('result/cones/vertices')?.length, tips = at('result/tips');
+  const cut = cones ? `, through ${cones} cones, which keep areas` : tips ? `, cut open through ${tips} tips` : '';
+  return `a map to the plane${at('result/method') === 'planar' ? ' by curvature' : ''} that keeps angles${cut}`;
 }
 
 /** A number that an upper limit judges, an option of the command. */
@@ -72,6 +79,12 @@ function targetTile() {
   return isNumber(largest) ? [{value: number(largest, 2), name: 'largest distance from a target'}] : [];
 }
 
+function overlapTile() {
+  const share = at('result/overlap/share'), charts = at('result/charts');
+  const name = charts ? `of the image would overlap: cut into ${charts} charts` : 'of the image overlaps';
+  return share > 0 ? [{value: percent(share), name}] : [];
+}
+
 function verdictTile() {
   if (typeof report.verified !== 'boolean') return [];
   return [report.verified ? {value: 'Verified', name: 'all limits hold', holds: true}
@@ -85,7 +98,7 @@ function allTiles() {
   return [...verdictTile(), ...realisedTiles(), ...targetTile(), ...energyTile(), ...lengthTile(),
           ...below(at('result/quasi_conformal/mean'), 'mean shear Q; 1 is none', 'quasi_conformal',
                    value => number(value, 4), value => number(value, 3)),
-          ...flipped,
+          ...flipped, ...overlapTile(),
           ...below(at('result/scale/collapsed_share') || null, 'of the area shrank below a tenth', 'collapsed_share',
                    percent),
           ...below(at('result/boundary/direction_error/mean'), 'that directions at the boundary are missed by, in the mean',

@@ -46,9 +46,11 @@ function fillTable(table, rows) {
   }));
 }
 
-function tellVerdict({kind, words, reason}) {
-  element('verdict').className = `verdict ${kind}`;
+/** Beside the numbers, and below the view where those are further down. */
+function tellVerdict({kind, words, reason, isFirst}) {
+  element('verdict').className = element('told').className = `verdict ${kind}`;
   element('verdict').textContent = words;
+  element('told').textContent = isFirst ? '' : words;
   element('reason').textContent = reason;
 }
 

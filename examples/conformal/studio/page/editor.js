@@ -91,7 +91,7 @@ function show(state, stage) {
 
 function tellNothing() {
   fillTable(element('numbers'), []);
-  tellVerdict({kind: '', words: 'Nothing painted yet', reason: 'What you paint is computed exactly when you let go.'});
+  tellVerdict({kind: '', words: 'Nothing painted yet', reason: 'What you paint is computed exactly when you let go.', isFirst: true});
 }
 
 function showInputs(isExact) {
