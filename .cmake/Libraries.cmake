@@ -43,7 +43,8 @@ list(REMOVE_ITEM CGP_CORE_FILES ${CGP_LINEAR_ALGEBRA_FILES})
 # A program with some commands only needs a part of its own sources and of the compiled libraries:
 # all is compiled that cgp_keep_what_is_needed(<variable>) leaves in a list of sources.
 set(CGP_NEEDED "")
-include(${PROJECT_SOURCE_DIR}/examples/conformal/commands/commands.cmake)
+include(${PROJECT_SOURCE_DIR}/examples/conformal/commands/commands.cmake
+        OPTIONAL) # packages of the libraries are built without the program's sources
 if(NOT CGP_COMMANDS STREQUAL "all")
   include(Reached_files)
   set(program ${PROJECT_SOURCE_DIR}/examples/conformal)

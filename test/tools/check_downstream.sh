@@ -9,6 +9,26 @@ root=$(cd "$(dirname "$0")/../.." && pwd)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
+# Installs packages as root does, in a layer over this system that goes with the process, uses and removes them.
+install_in_a_layer() {
+  mkdir "$work/layer"
+  printf '%s\n' OFF '4 4 0' '0 0 0' '1 0 0' '0 1 0' '0 0 1' '3 0 2 1' '3 0 1 3' '3 1 2 3' '3 0 3 2' >"$work/a.off"
+  unshare --mount bash -ec '
+    layer=$1 mesh=$2
+    mount -t tmpfs tmpfs "$layer"
+    mkdir "$layer/new" "$layer/work" "$layer/root"
+    mount -t overlay overlay -o "lowerdir=/,upperdir=$layer/new,workdir=$layer/work" "$layer/root"
+    cp "$mesh" "${@:3}" "$layer/root/root"
+    chroot "$layer/root" bash -ec "
+      cd /root
+      dpkg --install *.deb
+      conformal spin a.off --rho-expression 0 -o b.ply
+      if dpkg --status python3-conformal-geometry; then /usr/bin/python3 -c \"import conformal_geometry\"; fi
+      dpkg --remove conformal
+      ! test -e /usr/bin/conformal"
+  ' bash "$work/layer" "$work/a.off" "$@"
+}
+
 arguments=(-S "$root/test/downstream" -B "$work/build" -G "$generator"
            -DCMAKE_CXX_COMPILER="$compiler" -DCMAKE_BUILD_TYPE=Release)
 if [ "$way" = installed ]; then
@@ -24,6 +44,9 @@ elif [ "$way" = packages ]; then # unpacked as root would install them
     dpkg-deb --extract "$package" "$work/prefix"
   done
   "$work/prefix/usr/bin/conformal" --version
+  if [ "$(id -u)" -eq 0 ]; then
+    install_in_a_layer "$work"/*.deb >>"$work/log" 2>&1 || { cat "$work/log"; exit 1; }
+  fi
   arguments+=(-DCMAKE_PREFIX_PATH="$work/prefix/usr")
 else
   # The libraries are compiled with it, which is not worth optimizing here, and is half of the work
