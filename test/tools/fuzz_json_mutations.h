@@ -1,6 +1,7 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #pragma once
 
+#include "conformal/io/file/base64.h"
 #include "fuzz_readers_mutations.h"
 #include "fuzz_readers_seeds.h"
 
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 // Damages what a JSON document says, not how it is written: values that are missing, of another
@@ -68,15 +70,45 @@ inline void mutate(Json& document, Mutator& mutator)
   }
 }
 
-/// a GLB file whose JSON has a few faults, and the lengths of its chunks none
-inline std::string mutant_of_glb(const std::string& file, Mutator& mutator)
+/// a JSON document with a few faults
+inline std::string mutant_of_json(const std::string& text, Mutator& mutator)
+{
+  Json document = Json::parse(text);
+  for (std::size_t faults = 1 + mutator.below(3); faults > 0 && !document.empty(); --faults)
+    mutate(document, mutator);
+  return document.dump();
+}
+
+/// the JSON and the bytes of a GLB file
+inline std::pair<std::string, std::string> chunks(const std::string& file)
 {
   const std::size_t begin = 20, size = static_cast<unsigned char>(file[12]) +
                                        256u * static_cast<unsigned char>(file[13]);
-  Json document = Json::parse(file.substr(begin, size));
-  for (std::size_t faults = 1 + mutator.below(3); faults > 0 && !document.empty(); --faults)
-    mutate(document, mutator);
-  return glb(document.dump(), file.substr((std::min)(file.size(), begin + size + 8)));
+  return {file.substr(begin, size), file.substr((std::min)(file.size(), begin + size + 8))};
+}
+
+/// a GLB file whose JSON has a few faults, and the lengths of its chunks none
+inline std::string mutant_of_glb(const std::string& file, Mutator& mutator)
+{
+  const auto [json, bytes] = chunks(file);
+  return glb(mutant_of_json(json, mutator), bytes);
+}
+
+/// the same as a glTF file, which has its bytes as text
+inline std::string gltf_of(const std::string& file)
+{
+  const auto [json, bytes] = chunks(file);
+  Json document = Json::parse(json);
+  document["buffers"][0]["uri"] =
+      "data:application/octet-stream;base64," + conformal::base64(bytes);
+  return document.dump();
+}
+
+inline std::vector<std::string> gltf_seeds()
+{
+  std::vector<std::string> files = glb_seeds();
+  for (std::string& file : files) file = gltf_of(file);
+  return files;
 }
 
 }  // namespace fuzz

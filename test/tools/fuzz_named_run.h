@@ -1,8 +1,10 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #pragma once
 
+#include "conformal/io/read_plane_curves.h"
 #include "conformal/io/read_surface.h"
 #include "conformal/run.h"
+#include "fuzz_runs_seeds.h"
 #include "fuzz_scratch.h"
 #include "fuzz_trials.h"
 
@@ -26,6 +28,9 @@ inline const std::vector<std::string>& fates()
 /// the words between the program and the file
 using Command = std::vector<std::string>;
 
+/// the word for a surface that nothing is wrong with
+constexpr const char* whole_surface = "whole.off";
+
 inline const std::vector<Command>& commands()
 {
   static const std::vector<Command> all = {
@@ -46,8 +51,17 @@ inline const std::vector<Command>& commands()
       {"harmonic"},
       {"harmonic", "--repair"},
       {"spectrum", "--count", "3"},
+      {"compare", whole_surface},
   };
   return all;
+}
+
+/// those that read something else than a surface last
+inline std::vector<Command> commands_for(const std::string& extension)
+{
+  if (extension == ".json") return {{"deform", whole_surface, "--targets"}};
+  if (extension == ".svg" || extension == ".csv") return {{"curve", "--steps", "3"}};
+  return commands();
 }
 
 inline std::string text_of(const Command& command)
@@ -60,16 +74,18 @@ inline std::string text_of(const Command& command)
 
 inline bool has_output(const Command& command)
 {
-  return command.front() != "info" && command.front() != "spectrum";
+  return command.front() != "info" && command.front() != "spectrum" && command.front() != "compare";
 }
 
-inline int exit_code(const Command& command, const std::string& input, const std::string& output,
-                     const std::string& report)
+inline int exit_code(const Scratch& scratch, const Command& command, const std::string& input,
+                     const std::string& output)
 {
   std::vector<std::string> words = {"conformal"};
-  words.insert(words.end(), command.begin(), command.end());
-  words.insert(words.end(), {input, "--quiet", "--json", report});
-  if (has_output(command)) words.insert(words.end(), {"-o", output});
+  for (const std::string& word : command)
+    words.push_back(word == whole_surface ? scratch.path(word) : word);
+  words.insert(words.end(),
+               {scratch.path(input), "--quiet", "--json", scratch.path("report.json")});
+  if (has_output(command)) words.insert(words.end(), {"-o", scratch.path(output)});
   std::vector<const char*> arguments;
   for (const std::string& word : words) arguments.push_back(word.c_str());
   return conformal::run(static_cast<int>(arguments.size()), arguments.data());
@@ -91,6 +107,7 @@ inline bool is_certified(const std::string& command, const nlohmann::json& repor
   const auto& result = report.at("result");
   if (command == "info") return result.contains("problems");
   if (command == "spectrum") return result.contains("eigenvalues");
+  if (command == "compare") return result.contains("quasi_conformal");
   if (command != "harmonic") return report.value("verified", false);
   for (const char* name : {"closed_residual", "coclosed_residual", "orthonormal_residual"})
     if (!(result.at(name).get<double>() < 1e-6)) return false;
@@ -99,6 +116,12 @@ inline bool is_certified(const std::string& command, const nlohmann::json& repor
 
 inline void require_output(const std::string& path, const nlohmann::json& input)
 {
+  if (input.contains("curves")) {
+    std::vector<std::string> notes;
+    const auto curves = conformal::read_plane_curves(path, {}, notes);
+    require(curves.size() == input.at("curves").get<std::size_t>(), "output: other curves");
+    return;
+  }
   const conformal::Surface_file file = conformal::read_surface(path);
   require(file.points.size() == input.at("vertices").get<std::size_t>(), "output: other vertices");
   require(file.polygons.size() == input.at("faces").get<std::size_t>(), "output: other faces");
@@ -140,15 +163,16 @@ inline void require_failure(const Scratch& scratch, const Command& command,
 inline Fate fate(const Command& command, const std::string& content, const std::string& extension)
 {
   static Scratch scratch;
-  const std::string input = "input" + extension;
-  const std::string output = extension == ".off" ? "output.off" : "output.ply";
+  static const std::string whole = seed_file(seed_surfaces()[0], ".off", true);
+  const bool is_kept = extension == ".off" || extension == ".svg" || extension == ".csv";
+  const std::string input = "input" + extension, output = "output" + (is_kept ? extension : ".ply");
   scratch.clear();
+  scratch.write(whole_surface, whole);
   scratch.write(input, content);
   scratch.begin_listening();
-  const int code =
-      exit_code(command, scratch.path(input), scratch.path(output), scratch.path("report.json"));
+  const int code = exit_code(scratch, command, input, output);
   scratch.end_listening();
-  require(scratch.has_only({input, output, "report.json"}), "a file is left");
+  require(scratch.has_only({whole_surface, input, output, "report.json"}), "a file is left");
   if (code == 0) {
     require_success(scratch, command, output);
     return verified;

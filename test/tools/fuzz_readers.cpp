@@ -34,13 +34,16 @@ fuzz::Subject subject(const std::string& extension, const Seeds& seeds, std::uin
           [](unsigned long) { return "read"; }};
 }
 
-fuzz::Subject subject_of_json(const Seeds& seeds, std::uint64_t seed)
+using Damage = std::string (*)(const std::string&, fuzz::Mutator&);
+
+fuzz::Subject subject_of_json(const std::string& extension, const Seeds& seeds, Damage damage,
+                              std::uint64_t seed)
 {
-  fuzz::Subject s = subject(".glb", seeds, seed);
-  s.name = "`.glb`, its JSON";
+  fuzz::Subject s = subject(extension, seeds, seed);
+  s.name = "`" + extension + "`, its JSON";
   s.mutant = [=](unsigned long number) {
     fuzz::Mutator mutator(seed * 1000003 + number);
-    return fuzz::mutant_of_glb(seeds[mutator.below(seeds.size())], mutator);
+    return damage(seeds[mutator.below(seeds.size())], mutator);
   };
   return s;
 }
@@ -66,7 +69,11 @@ int main(int argc, char** argv)
   trials.make(subject(".ply", fuzz::ply_seeds(), request.seed));
   trials.make(subject(".stl", fuzz::stl_seeds(), request.seed));
   trials.make(subject(".glb", fuzz::glb_seeds(), request.seed));
-  trials.make(subject_of_json(fuzz::glb_seeds(), request.seed));
+  trials.make(subject_of_json(".glb", fuzz::glb_seeds(), fuzz::mutant_of_glb, request.seed));
+  trials.make(subject(".gltf", fuzz::gltf_seeds(), request.seed));
+  trials.make(subject_of_json(".gltf", fuzz::gltf_seeds(), fuzz::mutant_of_json, request.seed));
+  trials.make(subject(".vtk", fuzz::vtk_seeds(), request.seed));
+  trials.make(subject(".vtp", fuzz::vtp_seeds(), request.seed));
   trials.make(subject_of_curves(".svg", fuzz::svg_seeds(), request.seed));
   trials.make(subject_of_curves(".csv", fuzz::curve_seeds(), request.seed));
   return trials.is_clean() ? 0 : 1;

@@ -114,7 +114,21 @@ inline std::vector<std::string> stl_seeds()
       binary_stl()};
 }
 
-/// as texts of the versions 3 and 5
+/// a square as bytes, the most significant one first
+inline std::string binary_vtk()
+{
+  std::string text =
+      "# vtk DataFile Version 3.0\na square\nBINARY\nDATASET POLYDATA\nPOINTS 4 double\n";
+  for (const double x : {0., 0., 0., 1., 0., 0., 1., 1., 0., 0., 1., 0.})
+    append_bytes(text, x, true);
+  text += "\nPOLYGONS 2 8\n";
+  for (const int i : {3, 0, 1, 2, 3, 0, 2, 3}) append_bytes(text, i, true);
+  text += "\nPOINT_DATA 4\nSCALARS rho float\nLOOKUP_TABLE default\n";
+  for (const float x : {0.f, .5f, 1.f, 2.f}) append_bytes(text, x, true);
+  return text + "\n";
+}
+
+/// as texts of the versions 3 and 5, and as bytes
 inline std::vector<std::string> vtk_seeds()
 {
   return {
@@ -127,10 +141,11 @@ inline std::vector<std::string> vtk_seeds()
       "0\n"
       "1 1 0 0 1 0\nMETADATA\nINFORMATION 0\n\nPOLYGONS 3 7\nOFFSETS vtktypeint64\n0 3 7\n"
       "CONNECTIVITY vtktypeint64\n0 1 2 0 1 2 3\nPOINT_DATA 4\nNORMALS n double\n0 0 1 0 0 1 0 0 1 "
-      "0 0 1\nFIELD FieldData 1\nid 1 4 vtktypeint64\n1 2 3 4\nMETADATA\nINFORMATION 0\n\n"};
+      "0 0 1\nFIELD FieldData 1\nid 1 4 vtktypeint64\n1 2 3 4\nMETADATA\nINFORMATION 0\n\n",
+      binary_vtk()};
 }
 
-/// with arrays as text, and appended bytes
+/// with arrays as text, appended bytes, and these compressed by zlib
 inline std::vector<std::string> vtp_seeds()
 {
   const std::string raw("\x10\0\0\0\0\0\0\x3f\0\0\x80\x3f\0\0\0\x40\0\0\x40\x40", 20);
@@ -143,16 +158,20 @@ inline std::vector<std::string> vtp_seeds()
       "1 "
       "2 0 2 3</DataArray><DataArray type=\"Int64\" Name=\"offsets\">3 6</DataArray></Polys>\n"
       "</Piece></PolyData>";
+  const std::string rho =
+      "<PointData><DataArray type=\"Float32\" Name=\"rho\" format=\"appended\" offset=\"0\"/>"
+      "</PointData>";
+  const std::string packed = "AQAAAACAAAAQAAAAFQAAAA==eJxjYGCwZ2BoAGIGByByAAAMegG/";
+  std::string compressed = begin + rho + end;
+  compressed.insert(compressed.find(" byte_order"), " compressor=\"vtkZLibDataCompressor\"");
   return {
       begin +
           "<PointData TCoords=\"st\"><DataArray type=\"Float32\" Name=\"st\" "
           "NumberOfComponents=\"2\">0 0 1 0 1 1 0 1</DataArray></PointData><CellData><DataArray "
           "type=\"UInt8\" Name=\"a&amp;b\">9 1 2</DataArray></CellData>" +
           end + "</VTKFile>",
-      begin +
-          "<PointData><DataArray type=\"Float32\" Name=\"rho\" format=\"appended\" offset=\"0\"/>"
-          "</PointData>" +
-          end + "<AppendedData encoding=\"raw\">\n_" + raw + "</AppendedData></VTKFile>"};
+      begin + rho + end + "<AppendedData encoding=\"raw\">\n_" + raw + "</AppendedData></VTKFile>",
+      compressed + "<AppendedData encoding=\"base64\">\n_" + packed + "</AppendedData></VTKFile>"};
 }
 
 /// a file of two chunks, each padded to a multiple of four bytes
@@ -246,6 +265,14 @@ inline std::vector<std::string> svg_seeds()
       "2 "
       "0 t 2 0 A 1 2 30 1 0 5 5 a1 1 0 01-1-1'/><polyline points='0 0,1e1-1.5.5,2'/><![CDATA[<g>]]>"
       "<text>&lt;&#65;</text></svg>"};
+}
+
+/// of `conformal deform`, on a surface of some forty vertices
+inline std::vector<std::string> targets_seeds()
+{
+  return {R"({"targets": [{"vertex": 12, "to": [0, 1.5, 0]}, {"vertex": 40, "move": [0, 0, 0]}]})",
+          R"({"targets": [{"box": [[-1, -1, -1], [1, 1, 0]], "move": [0, 0.1, 0], )"
+          R"("turn": [0, 0, 1, 30]}, {"vertices": [1, 2, 3], "move": [0, 0, 0]}]})"};
 }
 
 inline std::vector<std::string> curve_seeds()

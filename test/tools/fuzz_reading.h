@@ -14,6 +14,10 @@
 #include "conformal/io/read_surface.h"
 #include "conformal/io/stl/read_stl.h"
 #include "conformal/io/svg/read_svg.h"
+#include "conformal/io/vtk/read_vtk.h"
+#include "conformal/io/vtk/read_vtp.h"
+#include "conformal/io/vtk/write_vtk.h"
+#include "conformal/io/vtk/write_vtp.h"
 #include "fuzz_trials.h"
 
 #include <cmath>
@@ -40,6 +44,8 @@ inline void require_writable(const conformal::Surface_file& file)
   std::vector<std::string> notes;
   conformal::encode_off(file, notes);
   conformal::encode_obj(file, notes);
+  conformal::encode_vtk(file, notes);
+  conformal::encode_vtp(file, notes);
   try {
     conformal::encode_glb(file, "", notes);
   } catch (const conformal::Write_error&) {  // coordinates exceed the range of float
@@ -61,7 +67,9 @@ inline conformal::Surface_file parsed(const std::string& text, const std::string
   if (extension == ".off") return conformal::parse_off(text, "a.off");
   if (extension == ".obj") return conformal::parse_obj(text, "a.obj");
   if (extension == ".ply") return conformal::parse_ply(text, "a.ply");
-  if (extension == ".glb") return conformal::parse_glb(text, "a.glb");
+  if (extension == ".glb" || extension == ".gltf") return conformal::parse_glb(text, "a.glb");
+  if (extension == ".vtk") return conformal::parse_vtk(text, "a.vtk");
+  if (extension == ".vtp") return conformal::parse_vtp(text, "a.vtp");
   return conformal::parse_stl(text, "a.stl");
 }
 

@@ -1,9 +1,13 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #pragma once
 
+#include "conformal/io/glb/write_glb.h"
 #include "conformal/io/obj/write_obj.h"
 #include "conformal/io/off/write_off.h"
 #include "conformal/io/ply/write_ply.h"
+#include "conformal/io/vtk/write_vtk.h"
+#include "conformal/io/vtk/write_vtp.h"
+#include "fuzz_json_mutations.h"
 #include "fuzz_readers_seeds.h"
 #include "support/meshes.h"
 
@@ -71,6 +75,10 @@ inline std::string seed_file(const Mesh_view& mesh, const std::string& extension
   const conformal::Surface_file file = file_of(mesh);
   if (extension == ".off") return conformal::encode_off(file, notes);
   if (extension == ".obj") return conformal::encode_obj(file, notes);
+  if (extension == ".vtk") return conformal::encode_vtk(file, notes);
+  if (extension == ".vtp") return conformal::encode_vtp(file, notes);
+  if (extension == ".glb") return conformal::encode_glb(file, "", notes);
+  if (extension == ".gltf") return gltf_of(conformal::encode_glb(file, "", notes));
   const auto encoding =
       is_text ? conformal::Ply_encoding::ascii : conformal::Ply_encoding::little_endian;
   return conformal::encode_ply(file, {encoding}, notes);

@@ -7,7 +7,6 @@
 #include "conformal/io/file/io_errors.h"
 #include "conformal/io/file/snapshot_path.h"
 #include "conformal/process/Failure.h"
-#include "conformal/process/text.h"
 #include "conformal/repair/select_faces.h"
 #include "conformal/report/report_input.h"
 #include "conformal/transform/write_result.h"
@@ -106,13 +105,6 @@ void tell_vertices(const Surface_input& input, const std::vector<std::vector<int
   report.set("result/vertex_before_split", Report::Value(vertices));
 }
 
-void note_unreferenced(const Surface_input& input, Session& session)
-{
-  if (input.unreferenced > 0)
-    session.note(count_of(static_cast<std::size_t>(input.unreferenced), "vertex") +
-                 " without a face left out");
-}
-
 void split(const Split_options& options, Session& session)
 {
   const std::string& output = session.options().output;
@@ -125,7 +117,6 @@ void split(const Split_options& options, Session& session)
   if (faces.empty())
     throw unsuitable(options.input, "no component has so many faces; try: a smaller --min-faces");
   require_new_files("component", output, static_cast<int>(faces.size()), {options.input});
-  note_unreferenced(input, session);
   session.report().set("result/files", Report::Value(write_parts(input, faces, session)));
   session.report().set("result/components", static_cast<int>(faces.size()));
   tell_vertices(input, faces, session.report());

@@ -32,6 +32,15 @@ std::vector<int> leave_out_unreferenced(std::size_t size, CGP::Mesh_view::Corner
   return kept;
 }
 
+// `2 vertices without a face (first: vertex 7): no part of the surface`
+std::string note_of_unreferenced(int count, const std::vector<int>& others)
+{
+  int first = 0;
+  for (const int v : others) first += v == first ? 1 : 0;
+  return count_of(static_cast<std::size_t>(count), "vertex") + " without a face (first: vertex " +
+         std::to_string(first) + "): no part of the surface";
+}
+
 CGP::Points points_of(const Surface_file& file, const std::vector<int>& vertices)
 {
   CGP::Points points(3, static_cast<Eigen::Index>(vertices.size()));
@@ -131,8 +140,7 @@ Surface_input prepare(Surface_file file)
     input.notes.push_back(count_of(static_cast<std::size_t>(triangulated), "polygon") +
                           " triangulated for the computation, written as they were");
   if (input.unreferenced > 0)
-    input.notes.push_back(count_of(static_cast<std::size_t>(input.unreferenced), "vertex") +
-                          " without a face: no part of the surface");
+    input.notes.push_back(note_of_unreferenced(input.unreferenced, input.vertex_in_file));
   input.coinciding = coinciding_at_boundary(input.mesh);
   repair_orientation(input);
   turn_outward(input);
