@@ -97,12 +97,14 @@ void Mesh_view::find_edges()
 void Mesh_view::number_edges()
 {
   m_edges.resize(m_halfedges.size());
+  m_ends.reserve(m_halfedges.size() / 2);
+  m_first.reserve(m_halfedges.size() / 2 + 1);
   for (int k = 0; k < size_of_halfedges(); ++k) {
     const int h = m_halfedges[index(k)];
-    const std::array<int, 2> ends = {low(h), high(h)};
-    if (m_ends.empty() || m_ends.back() != ends) {
+    const int i = low(h), j = high(h);
+    if (m_ends.empty() || m_ends.back()[0] != i || m_ends.back()[1] != j) {
       m_first.push_back(k);
-      m_ends.push_back(ends);
+      m_ends.push_back({i, j});
     }
     m_edges[index(h)] = size_of_edges() - 1;
   }

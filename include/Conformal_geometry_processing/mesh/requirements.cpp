@@ -42,15 +42,15 @@ std::string name_of_vertex(int v)
   return "vertex " + std::to_string(v);
 }
 
-// Scales by the longest edge first, to avoid overflow and underflow of squares.
+// Scales by the longest edge where squares of squares might overflow or underflow.
 bool has_area_zero(Eigen::Matrix3d edges)
 {
   const double longest = edges.cwiseAbs().maxCoeff();
   if (!(longest > 0)) return true;
-  edges /= longest;
+  if (!(longest > 1e-60 && longest < 1e60)) edges /= longest;
   const double longest_squared = edges.colwise().squaredNorm().maxCoeff();
-  const double double_area = edges.col(0).cross(edges.col(1)).norm();
-  return !(double_area > 2 * relative_area_tolerance * longest_squared);
+  const double least_area = 2 * relative_area_tolerance * longest_squared;
+  return !(edges.col(0).cross(edges.col(1)).squaredNorm() > least_area * least_area);
 }
 
 Defect non_finite_vertices(const Mesh_view& mesh)

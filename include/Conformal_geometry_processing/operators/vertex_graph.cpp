@@ -12,10 +12,12 @@ namespace Conformal_geometry_processing {
 std::shared_ptr<const Sparse_pattern> vertex_graph(const Surface_ref& surface)
 {
   std::vector<std::array<int, 2>> ends;
+  ends.reserve(static_cast<std::size_t>(surface.size_of_edges()));
   for (int k = 0; k < surface.size_of_edges(); ++k)
     if (surface.ends(k)[0] != surface.ends(k)[1]) ends.push_back(surface.ends(k));
   if (!std::is_sorted(ends.begin(), ends.end())) std::sort(ends.begin(), ends.end());
-  ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+  const auto is_same = [](const auto& a, const auto& b) { return a[0] == b[0] && a[1] == b[1]; };
+  ends.erase(std::unique(ends.begin(), ends.end(), is_same), ends.end());
   auto pattern = std::make_shared<Sparse_pattern>();
   const int n = surface.size_of_vertices();
   pattern->offsets.reserve(static_cast<std::size_t>(n) + 1);

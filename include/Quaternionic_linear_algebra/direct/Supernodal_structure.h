@@ -2,95 +2,14 @@
 #pragma once
 
 #include <Quaternionic_linear_algebra/algebra/Hermitian_sparse_matrix.h>
+#include <Quaternionic_linear_algebra/direct/Elimination.h>
 #include <Quaternionic_linear_algebra/direct/Ordering.h>
 
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
 #include <vector>
 
 namespace Conformal_geometry_processing {
-namespace internal {
-
-/// \ingroup PkgLinearAlgebra
-/// \brief The graph of a Hermitian matrix after a permutation: for every column j its rows i > j,
-/// in any order, with the position of the entry in the pattern.
-struct Permuted_graph {
-  struct Entry {
-    int row;
-    int source;  ///< position of the entry in the pattern, ~position if it is transposed there
-  };
-
-  std::vector<int> offsets;  ///< size + 1
-  std::vector<Entry> entries;
-
-  Permuted_graph(const Sparse_pattern& pattern, const std::vector<int>& new_of_old);
-
-  /// Renumbers a graph
-  /// \pre `place[i] > place[j]` for every row i of column j
-  Permuted_graph(const Permuted_graph& graph, const std::vector<int>& place);
-
-  int size() const { return static_cast<int>(offsets.size()) - 1; }
-  const Entry* begin(int j) const { return entries.data() + offsets[at(j)]; }
-  const Entry* end(int j) const { return entries.data() + offsets[at(j) + 1]; }
-
- private:
-  static std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
-  // for_each_entry(action) calls action(column, entry) for each entry; called twice, to count and
-  // to fill
-  template <class For_each>
-  void fill(int columns, int count, For_each for_each_entry)
-  {
-    offsets.assign(at(columns) + 1, 0);
-    entries.resize(at(count));
-    for_each_entry([&](int j, const Entry&) { ++offsets[at(j) + 1]; });
-    std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
-    std::vector<int> next(offsets.begin(), offsets.end() - 1);
-    for_each_entry([&](int j, const Entry& e) { entries[at(next[at(j)]++)] = e; });
-  }
-};
-
-/// \ingroup PkgLinearAlgebra
-/// \brief The graph by rows: for every row i its columns j < i, ascending.
-struct Graph_rows {
-  std::vector<int> offsets;  ///< size + 1
-  std::vector<int> columns;
-
-  explicit Graph_rows(const Permuted_graph& graph);
-
-  int size() const { return static_cast<int>(offsets.size()) - 1; }
-  const int* begin(int i) const { return columns.data() + offsets[at(i)]; }
-  const int* end(int i) const { return columns.data() + offsets[at(i) + 1]; }
-
- private:
-  static std::size_t at(int i) { return static_cast<std::size_t>(i); }
-};
-
-}  // namespace internal
-
-/// \ingroup PkgLinearAlgebra
-/// \brief Computes the elimination tree: for each column of the Cholesky factor the row of its
-/// first entry below the diagonal, -1 at the roots (Liu 1990). Almost O(entries).
-std::vector<int> elimination_tree(const internal::Graph_rows& graph);
-
-/// \ingroup PkgLinearAlgebra
-/// \brief Returns 0, ..., n - 1 stably sorted by keys in [0, n]. O(n)
-std::vector<int> sorted_by(const std::vector<int>& key);
-
-/// \ingroup PkgLinearAlgebra
-/// \brief Orders the nodes of a forest, children before parents and subtrees contiguously; the
-/// heaviest sibling is last, next to the parent, so that their supernodes can be merged.
-/// \param weight in [0, n]
-std::vector<int> postorder(const std::vector<int>& parent, const std::vector<int>& weight);
-
-/// \ingroup PkgLinearAlgebra
-/// \brief Computes the number of entries in each column of the factor, including the diagonal
-/// (Gilbert, Ng and Peyton 1994). Almost O(entries), without forming the factor.
-/// \param parent the elimination tree of the graph
-/// \pre the numbering is a postorder: descendants of j are the numbers just below j
-std::vector<int> column_counts(const internal::Permuted_graph& graph,
-                               const std::vector<int>& parent);
 
 /// \ingroup PkgLinearAlgebra
 /// Maximal width of a supernode: a panel of 64 quaternionic columns fits in the second-level cache
@@ -137,16 +56,18 @@ class Supernodal_structure {
     unsigned row : 26, column : 6;
   };
 
-  /// \param order a fill-reducing ordering of the vertices
-  /// \param kept number of trailing vertices that are not eliminated, and keep their order
-  Supernodal_structure(const Sparse_pattern& pattern, const Ordering& order, int kept = 0);
+  Supernodal_structure(const Sparse_pattern& pattern, const Elimination& elimination);
+
+  /// \param order, kept see `Elimination`
+  Supernodal_structure(const Sparse_pattern& pattern, const Ordering& order, int kept = 0)
+      : Supernodal_structure(pattern, Elimination(pattern, order, kept))
+  {}
 
   int size_of_columns() const { return static_cast<int>(m_order.size()); }
   int size_of_kept() const { return m_kept; }
   int size() const { return static_cast<int>(m_first.size()) - 1; }  ///< number of supernodes
 
-  /// The ordering refined to a postorder: `order()[k]` is the vertex eliminated as the k-th
-  const Ordering& order() const { return m_order; }
+  const Ordering& order() const { return m_order; }  ///< of the elimination
 
   int first(int s) const { return m_first[at(s)]; }
   int width(int s) const { return m_first[at(s) + 1] - m_first[at(s)]; }
@@ -172,18 +93,12 @@ class Supernodal_structure {
   std::int64_t factor_entries() const { return m_factor_entries; }
   std::int64_t stored_entries() const;
 
-  /// Multiply-adds of scalars in one factorization: the sum of the squares of the column counts
+  /// Multiply-adds of scalars in one factorization
   double operations() const { return m_operations; }
 
  private:
   static std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-  static std::vector<int> gathered(const std::vector<int>& values, const std::vector<int>& places);
-  std::vector<int> renumber(Permuted_graph& graph, std::vector<int>& parent,
-                            const std::vector<int>& weight);
-  void chain_kept(std::vector<int>& parent) const;
-  void cut_kept(std::vector<int>& parent, std::vector<int>& count) const;
-  void count_operations(const std::vector<int>& count);
   void find_tree(const std::vector<int>& parent, const std::vector<int>& count);
   void find_rows(const Graph_rows& graph);
   void find_children();
@@ -199,8 +114,8 @@ class Supernodal_structure {
   std::vector<int> m_rows, m_relative;
   std::vector<int> m_entry_offsets;
   std::vector<Entry> m_entries;
-  std::int64_t m_factor_entries = 0;
-  double m_operations = 0;
+  std::int64_t m_factor_entries;
+  double m_operations;
 };
 
 }  // namespace internal

@@ -13,7 +13,7 @@ namespace Conformal_geometry_processing {
 namespace internal {
 
 // Returns whether dissection may save more than it takes.
-bool dissection_may_pay(const Supernodal_structure& by_degree, double n, int factorizations,
+bool dissection_may_pay(const Elimination& by_degree, double n, int factorizations,
                         const Ordering_costs& costs)
 {
   const double operations = by_degree.operations();
@@ -24,24 +24,31 @@ bool dissection_may_pay(const Supernodal_structure& by_degree, double n, int fac
 
 }  // namespace internal
 
+internal::Elimination choose_elimination(const Sparse_pattern& pattern,
+                                         const Eigen::Matrix3Xd* positions, int factorizations,
+                                         const internal::Ordering_costs& costs)
+{
+  internal::Elimination by_degree(pattern, amd_ordering(pattern));
+  if (positions == nullptr ||
+      !internal::dissection_may_pay(by_degree, pattern.size(), factorizations, costs))
+    return by_degree;
+  internal::Elimination by_dissection(
+      pattern, sweep_nested_dissection(pattern, *positions, by_degree.order()));
+  return by_dissection.operations() < by_degree.operations() ? by_dissection : by_degree;
+}
+
 std::shared_ptr<const internal::Supernodal_structure> choose_structure(
     const Sparse_pattern& pattern, const Eigen::Matrix3Xd* positions, int factorizations,
     const internal::Ordering_costs& costs)
 {
-  using Structure = internal::Supernodal_structure;
-  auto by_degree = std::make_shared<const Structure>(pattern, amd_ordering(pattern));
-  if (positions == nullptr ||
-      !internal::dissection_may_pay(*by_degree, pattern.size(), factorizations, costs))
-    return by_degree;
-  auto by_dissection = std::make_shared<const Structure>(
-      pattern, sweep_nested_dissection(pattern, *positions, by_degree->order()));
-  return by_dissection->operations() < by_degree->operations() ? by_dissection : by_degree;
+  return std::make_shared<const internal::Supernodal_structure>(
+      pattern, choose_elimination(pattern, positions, factorizations, costs));
 }
 
 internal::Ordering choose_ordering(const Sparse_pattern& pattern, const Eigen::Matrix3Xd* positions,
                                    int factorizations, const internal::Ordering_costs& costs)
 {
-  return choose_structure(pattern, positions, factorizations, costs)->order();
+  return choose_elimination(pattern, positions, factorizations, costs).order();
 }
 
 }  // namespace Conformal_geometry_processing

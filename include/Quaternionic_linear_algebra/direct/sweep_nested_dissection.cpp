@@ -40,21 +40,15 @@ const std::vector<internal::Side>& internal::Sweep_cut::operator()(
   for (const auto& e : region.edges)
     for (int v : e) ++m_degree[static_cast<std::size_t>(v)];
   const Eigen::Matrix3f axes = internal::principal_axes(region.positions);
-  for (const Eigen::Vector3f& d : directions()) sweep(region, (axes * d).eval());
+  sort_into_slabs(region, axes);
+  count_slabs(region);
+  for (std::size_t d = 0; d < directions; ++d) sweep(d, region.size());
   m_sides.resize(region.vertices.size());
   if (m_best.cost < no_cut)
     take_slabs(region);
   else
     halve(region, axes.col(0));
   return m_sides;
-}
-
-// In the frame of the axes of inertia. A long thin region is cut across its length; for other
-// regions, oblique planes find necks.
-std::array<Eigen::Vector3f, 5> internal::Sweep_cut::directions()
-{
-  constexpr float t = 0.7f;
-  return {{{1, 0, 0}, {1, t, 0}, {1, -t, 0}, {1, 0, t}, {1, 0, -t}}};
 }
 
 // Computes the coordinates of the vertices along the direction.
@@ -66,50 +60,56 @@ void internal::Sweep_cut::set_keys(const internal::Graph_region& region,
               .array();
 }
 
-// Returns false if all vertices lie in one plane orthogonal to the direction.
-bool internal::Sweep_cut::sort_into_slabs(const internal::Graph_region& region,
-                                          const Eigen::Vector3f& direction)
+// In the frame of the axes of inertia. A long thin region is cut across its length; for other
+// regions, oblique planes find necks. Vertices in one plane orthogonal to a direction are all in
+// its first slab.
+void internal::Sweep_cut::sort_into_slabs(const internal::Graph_region& region,
+                                          const Eigen::Matrix3f& axes)
 {
-  set_keys(region, direction);
-  const float low = m_key.minCoeff(), high = m_key.maxCoeff();
-  const float scale = static_cast<float>(slabs) / (high - low);
-  if (!(scale < no_cut)) return false;
-  m_slab.resize(region.vertices.size());
-  for (std::size_t v = 0; v < m_slab.size(); ++v)
-    m_slab[v] = static_cast<std::uint8_t>((std::min)(
-        slabs - 1, static_cast<int>((m_key[static_cast<Eigen::Index>(v)] - low) * scale)));
-  return true;
-}
-
-// An edge counts from its lower end to its upper one, and both ends are among the degrees. Two
-// counters in turn, because a processor waits for a number that it has just written.
-void internal::Sweep_cut::count_lower_ends(const internal::Graph_region& region)
-{
-  m_lower_ends = {};
-  for (std::size_t k = 0; k < region.edges.size(); ++k) {
-    const auto [a, b] = region.edges[k];
-    ++m_lower_ends[k % 2][(std::min)(m_slab[static_cast<std::size_t>(a)],
-                                     m_slab[static_cast<std::size_t>(b)])];
+  constexpr float t = 0.7f;
+  const std::array<Eigen::Vector3f, directions> oblique = {
+      {{1, 0, 0}, {1, t, 0}, {1, -t, 0}, {1, 0, t}, {1, 0, -t}}};
+  m_slabs.assign(region.vertices.size(), Slabs{});
+  for (std::size_t d = 0; d < directions; ++d) {
+    set_keys(region, axes * oblique[d]);
+    const float low = m_key.minCoeff(), high = m_key.maxCoeff();
+    const float scale = static_cast<float>(slabs) / (high - low);
+    if (!(scale < no_cut)) continue;
+    for (std::size_t v = 0; v < m_slabs.size(); ++v)
+      m_slabs[v][d] = static_cast<std::uint8_t>((std::min)(
+          slabs - 1, static_cast<int>((m_key[static_cast<Eigen::Index>(v)] - low) * scale)));
   }
 }
 
-void internal::Sweep_cut::sweep(const internal::Graph_region& region,
-                                const Eigen::Vector3f& direction)
+// An edge counts from its lower end to its upper one, and both ends are among the degrees. All
+// directions in one pass: edges are read once, and a processor that waits for a number that it has
+// just written goes on with the next.
+void internal::Sweep_cut::count_slabs(const internal::Graph_region& region)
 {
-  if (!sort_into_slabs(region, direction)) return;
-  std::array<int, slabs> vertices{}, growth{};  // of the cut, from one slab to the next
-  for (std::size_t v = 0; v < m_slab.size(); ++v) {
-    ++vertices[m_slab[v]];
-    growth[m_slab[v]] -= m_degree[v];
+  m_sums = {};
+  for (std::size_t v = 0; v < m_slabs.size(); ++v)
+    for (std::size_t d = 0; d < directions; ++d) {
+      Sum& sum = m_sums[d][m_slabs[v][d]];
+      ++sum.vertices;
+      sum.growth -= m_degree[v];
+    }
+  for (const auto& e : region.edges) {
+    const Slabs a = m_slabs[static_cast<std::size_t>(e[0])],
+                b = m_slabs[static_cast<std::size_t>(e[1])];
+    Slabs lower;
+    for (std::size_t d = 0; d < lower.size(); ++d) lower[d] = (std::min)(a[d], b[d]);
+    for (std::size_t d = 0; d < directions; ++d) m_sums[d][lower[d]].growth += 2;
   }
-  count_lower_ends(region);
-  for (const auto& lower_ends : m_lower_ends)
-    for (std::size_t s = 0; s < slabs; ++s) growth[s] += 2 * lower_ends[s];
+}
+
+void internal::Sweep_cut::sweep(std::size_t direction, int size)
+{
   int lefts = 0, cut = 0;
   for (int s = 0; s + 1 < slabs; ++s) {
-    lefts += vertices[static_cast<std::size_t>(s)];
-    cut += growth[static_cast<std::size_t>(s)];
-    const float share = static_cast<float>(lefts) / static_cast<float>(region.size());
+    const Sum& sum = m_sums[direction][static_cast<std::size_t>(s)];
+    lefts += sum.vertices;
+    cut += sum.growth;
+    const float share = static_cast<float>(lefts) / static_cast<float>(size);
     if (share < least_share || share > 1 - least_share) continue;
     const float cost = static_cast<float>(cut + 1) / (share * (1 - share));
     if (cost < m_best.cost) m_best = {cost, direction, s};
@@ -119,28 +119,29 @@ void internal::Sweep_cut::sweep(const internal::Graph_region& region,
 // Widens the best cut slab by slab.
 void internal::Sweep_cut::take_slabs(const internal::Graph_region& region)
 {
-  sort_into_slabs(region, m_best.direction);
-  std::array<int, slabs> vertices{};
-  for (std::uint8_t s : m_slab) ++vertices[s];
+  const std::array<Sum, slabs>& sums = m_sums[m_best.direction];
   const auto size = static_cast<float>(region.size());
   const auto end = [&](int slab, int step, int rest) {
     int taken = 0;
     for (; slab >= 0 && slab < slabs; slab += step) {
-      taken += vertices[static_cast<std::size_t>(slab)];
-      rest -= vertices[static_cast<std::size_t>(slab)];
+      taken += sums[static_cast<std::size_t>(slab)].vertices;
+      rest -= sums[static_cast<std::size_t>(slab)].vertices;
       if (static_cast<float>(taken) > band_share(region.size()) * size ||
           static_cast<float>(rest) < least_share * size)
         break;
     }
     return slab;
   };
-  const int lefts = std::accumulate(vertices.begin(), vertices.begin() + m_best.slab + 1, 0);
+  const int lefts = std::accumulate(sums.begin(), sums.begin() + m_best.slab + 1, 0,
+                                    [](int sum, const Sum& slab) { return sum + slab.vertices; });
   const int last_left = end(m_best.slab, -1, lefts);
   const int first_right = end(m_best.slab + 1, 1, region.size() - lefts);
-  for (std::size_t v = 0; v < m_sides.size(); ++v)
-    m_sides[v] = m_slab[v] <= last_left     ? internal::Side::left
-                 : m_slab[v] >= first_right ? internal::Side::right
-                                            : internal::Side::separator;
+  for (std::size_t v = 0; v < m_sides.size(); ++v) {
+    const int slab = m_slabs[v][m_best.direction];
+    m_sides[v] = slab <= last_left     ? internal::Side::left
+                 : slab >= first_right ? internal::Side::right
+                                       : internal::Side::separator;
+  }
 }
 
 // If many vertices coincide, no plane separates them: bisects them, ties by index.
@@ -182,29 +183,34 @@ void Dissection::finish(Dissection_part&& all)
   while (!stack.empty()) {
     Dissection_part part = std::move(stack.back());
     stack.pop_back();
-    std::vector<int>& vertices = part.region.vertices;
     if (part.region.size() <= max_dissection_leaf) {
-      std::sort(vertices.begin(), vertices.end(), [this](int v, int w) {
-        return m_rank[static_cast<std::size_t>(v)] < m_rank[static_cast<std::size_t>(w)];
-      });
-      std::copy(vertices.begin(), vertices.end(),
-                m_order.begin() + (part.end - part.region.size()));
+      const int begin = part.end - part.region.size();
+      for (const int v : part.region.vertices) m_leaf[static_cast<std::size_t>(v)] = begin;
     } else {
       for (Dissection_part& half : cut(part)) stack.push_back(std::move(half));
     }
   }
 }
 
+/// Places the vertices of leaves as they follow each other by degree
+void order_leaves(const Ordering& by_degree, const std::vector<int>& leaf, Ordering& order)
+{
+  std::vector<int> taken(order.size(), 0);  // of the leaf that begins at a place
+  for (const int v : by_degree)
+    if (const int begin = leaf[static_cast<std::size_t>(v)]; begin >= 0)
+      order[static_cast<std::size_t>(begin + taken[static_cast<std::size_t>(begin)]++)] = v;
+}
+
 /// The first cuts form a binary tree of tasks: part t is cut into the parts 2t and 2t + 1.
-void dissect_in_parallel(Dissection_part&& all, int threads, const std::vector<int>& rank,
-                         Ordering& order)
+void dissect_in_parallel(Dissection_part&& all, int threads, Ordering& order,
+                         std::vector<int>& leaf)
 {
   constexpr int parts_at_most = 128, smallest = 1000;
   std::vector<Dissection_part> parts(parts_at_most);
   parts[1] = std::move(all);
   Task_pool pool(threads);
   pool.run({1}, [&](int t) {
-    Dissection dissection(rank, order);
+    Dissection dissection(order, leaf);
     Dissection_part part = std::move(parts[static_cast<std::size_t>(t)]);
     if (2 * t >= parts_at_most || part.region.size() < smallest)
       return dissection.finish(std::move(part));
@@ -230,14 +236,15 @@ internal::Ordering sweep_nested_dissection(const Sparse_pattern& pattern,
                                            const internal::Ordering& by_degree)
 {
   constexpr int worth_threads = 4000;  // vertices: some milliseconds
-  const std::vector<int> rank = inverse_permutation(by_degree);
   internal::Ordering order(static_cast<std::size_t>(pattern.size()));
+  std::vector<int> leaf(order.size(), -1);
   internal::Dissection_part all{graph_region(pattern, positions), pattern.size()};
   const int threads = pattern.size() < worth_threads ? 1 : number_of_threads();
   if (threads > 1)
-    internal::dissect_in_parallel(std::move(all), threads, rank, order);
+    internal::dissect_in_parallel(std::move(all), threads, order, leaf);
   else
-    internal::Dissection(rank, order).finish(std::move(all));
+    internal::Dissection(order, leaf).finish(std::move(all));
+  internal::order_leaves(by_degree, leaf, order);
   return order;
 }
 

@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -33,13 +34,21 @@ class Sweep_cut {
 
  private:
   static constexpr int slabs = 256;
+  static constexpr std::size_t directions = 5;
   static constexpr float no_cut = 1e30f;
   static constexpr float least_share = 0.25f;  ///< of the vertices, left and right
 
   struct Cut {
     float cost = no_cut;
-    Eigen::Vector3f direction = Eigen::Vector3f::Zero();
+    std::size_t direction = 0;
     int slab = 0;  ///< the last one on the left
+  };
+
+  /// of a vertex for each direction; eight bytes, which a processor compares at once
+  using Slabs = std::array<std::uint8_t, 8>;
+
+  struct Sum {
+    int vertices, growth;  ///< of a slab; of the edges cut, from one slab to the next
   };
 
   // The share of the vertices that a thick separator takes from either side: three rows of them,
@@ -48,19 +57,18 @@ class Sweep_cut {
   // a factorization.
   static float band_share(int size) { return 0.03f + 2.5f / std::sqrt(static_cast<float>(size)); }
 
-  static std::array<Eigen::Vector3f, 5> directions();
   void set_keys(const Graph_region& region, const Eigen::Vector3f& direction);
-  bool sort_into_slabs(const Graph_region& region, const Eigen::Vector3f& direction);
-  void count_lower_ends(const Graph_region& region);
-  void sweep(const Graph_region& region, const Eigen::Vector3f& direction);
+  void sort_into_slabs(const Graph_region& region, const Eigen::Matrix3f& axes);
+  void count_slabs(const Graph_region& region);
+  void sweep(std::size_t direction, int size);
   void take_slabs(const Graph_region& region);
   void halve(const Graph_region& region, const Eigen::Vector3f& direction);
 
   Cut m_best;
   Eigen::ArrayXf m_key;
   std::vector<int> m_degree;
-  std::vector<std::uint8_t> m_slab;
-  std::array<std::array<int, slabs>, 2> m_lower_ends;
+  std::vector<Slabs> m_slabs;
+  std::array<std::array<Sum, slabs>, directions> m_sums;
   std::vector<Side> m_sides;
 };
 
@@ -82,18 +90,20 @@ struct Dissection_part {
 /// Dissects parts of a graph independently: the ordering does not depend on their sequence.
 class Dissection {
  public:
-  /// \param rank of each vertex among those of a leaf
-  Dissection(const std::vector<int>& rank, Ordering& order) : m_rank(rank), m_order(order) {}
+  /// \param[out] order gets the separators
+  /// \param[in,out] leaf of each vertex the place in the order where its leaf begins; that of
+  /// separators is left as it is
+  Dissection(Ordering& order, std::vector<int>& leaf) : m_order(order), m_leaf(leaf) {}
 
   /// Places the separator last and returns the two parts
   std::array<Dissection_part, 2> cut(const Dissection_part& part);
 
-  /// Orders a part completely
+  /// Dissects a part down to leaves
   void finish(Dissection_part&& all);
 
  private:
-  const std::vector<int>& m_rank;
   Ordering& m_order;
+  std::vector<int>& m_leaf;
   Sweep_cut m_cut;
 };
 

@@ -178,6 +178,7 @@ std::array<internal::Graph_region, 2> split(const internal::Graph_region& region
 {
   std::array<internal::Graph_region, 2> parts;
   std::vector<int> place(sides.size(), -1);  // local index; -1 for the separator
+  for (internal::Graph_region& part : parts) part.vertices.reserve(sides.size());
   const auto part_of = [&](int v) -> internal::Graph_region& {
     return parts[sides[static_cast<std::size_t>(v)] == internal::Side::left ? 0 : 1];
   };
@@ -186,7 +187,11 @@ std::array<internal::Graph_region, 2> split(const internal::Graph_region& region
       place[static_cast<std::size_t>(v)] = part_of(v).size();
       part_of(v).vertices.push_back(region.vertices[static_cast<std::size_t>(v)]);
     }
-  for (internal::Graph_region& part : parts) part.positions.resize(part.size(), 3);
+  for (internal::Graph_region& part : parts) {
+    part.positions.resize(part.size(), 3);
+    part.edges.reserve(region.edges.size() * static_cast<std::size_t>(part.size()) /
+                       region.vertices.size());
+  }
   for (int v = 0; v < region.size(); ++v)
     if (place[static_cast<std::size_t>(v)] >= 0)
       part_of(v).positions.row(place[static_cast<std::size_t>(v)]) = region.positions.row(v);

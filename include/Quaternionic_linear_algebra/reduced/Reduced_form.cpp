@@ -52,7 +52,7 @@ internal::Reduced_form choose_reduced_form(const Sparse_pattern& pattern,
   internal::Ordering last = reduced_last(order, rows);
   const double complement_cost =
       of_quaternions * 16 *
-          internal::Supernodal_structure(pattern, last, rows.size_of_reduced()).operations() +
+          internal::Elimination(pattern, last, rows.size_of_reduced()).operations() +
       of_complement * m * m * m / 3;
   const double real_cost =
       internal::operations_of_real_form(internal::Supernodal_structure(pattern, order), rows);
