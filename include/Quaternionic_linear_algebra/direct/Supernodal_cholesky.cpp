@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <complex>
 #include <cstddef>
 #include <cstdint>
@@ -17,6 +18,26 @@
 #include <utility>
 
 namespace Conformal_geometry_processing {
+
+namespace internal {
+
+/// Powers of two by which rows and columns of A + diag(shift) are multiplied for a diagonal of
+/// about 1, so that the rows of the factor, too, have the size 1 and one rounding suits all of them
+template <class Scalar, class FT>
+Vector<FT> unit_scale(const Hermitian_sparse_matrix<Scalar>& A, const Vector<FT>& shift)
+{
+  Vector<FT> scale(A.size());
+  for (int i = 0; i < A.size(); ++i) {
+    const int diagonal = A.pattern().offsets[static_cast<std::size_t>(i)];
+    const FT size =
+        Scalar_traits<Scalar>::real(A.value(diagonal)) + (shift.size() > 0 ? shift[i] : FT(0));
+    const int half = static_cast<int>(std::floor(std::ilogb(size) / 2.));
+    scale[i] = size > 0 && std::isfinite(size) ? std::ldexp(FT(1), -half) : FT(1);
+  }
+  return scale;
+}
+
+}  // namespace internal
 
 template <class Scalar>
 Supernodal_cholesky<Scalar>::Supernodal_cholesky() = default;
@@ -103,7 +124,7 @@ Solver_status Supernodal_cholesky<Scalar>::factorize_preconditioner(
     if (!matches(A, shift)) return Solver_status::wrong_state;
     m_state = State::no_factor;  // also if memory is short
     m_factor->release();
-    if (!m_rough_factor) m_rough_factor = std::make_unique<Factor<float>>(m_structure);
+    if (!m_rough_factor) m_rough_factor = std::make_unique<Factor<float>>(m_structure, true);
     const Solver_status rough = factorize(A, shift, *m_rough_factor, State::rough_factor);
     if (rough != Solver_status::not_positive_definite) return rough;
     return factorize(A, shift);
@@ -118,7 +139,8 @@ Solver_status Supernodal_cholesky<Scalar>::factorize(const Hermitian_sparse_matr
 {
   m_state = State::no_factor;
   if (!internal::is_finite(A) || !shift.allFinite()) return Solver_status::numerical_issue;
-  m_bad_vertex = factor.factorize(A, shift);
+  m_scale = state == State::rough_factor ? internal::unit_scale(A, shift) : Vector<FT>();
+  m_bad_vertex = factor.factorize(A, shift, m_scale);
   if (m_bad_vertex >= 0) return Solver_status::not_positive_definite;
   m_state = state;
   return Solver_status::success;
@@ -201,7 +223,11 @@ bool Supernodal_cholesky<Scalar>::substitute(const Factor<Number>& factor, const
     std::array<FT, columns> units;
     for (int i = 0; i < columns; ++i)
       units[static_cast<std::size_t>(i)] =
-          std::is_same_v<Number, FT> || c + i >= end ? 1 : internal::power_of_two(b.col(c + i));
+          std::is_same_v<Number, FT> || c + i >= end
+              ? 1
+              : internal::power_of_two<Scalar>(size(), [&](std::ptrdiff_t k) {
+                  return b(k, c + i) * scale(static_cast<int>(k));
+                });
     pack(b, c, columns, units.data(), packed.data());
     substitution.solve(packed.data());
     if (!internal::is_finite(packed)) return false;
@@ -224,7 +250,8 @@ void Supernodal_cholesky<Scalar>::pack(const Block<Scalar>& b, Eigen::Index c, i
     for (int i = 0; i < columns; ++i) {
       FT s[planes] = {};
       if (c + i < b.cols()) internal::Scalar_planes<Scalar>::get(b(k, c + i), s);
-      for (int q = 0; q < planes; ++q) at[i * planes + q] = static_cast<Number>(s[q] / units[i]);
+      for (int q = 0; q < planes; ++q)
+        at[i * planes + q] = static_cast<Number>(s[q] * scale(k) / units[i]);
     }
   });
 }
@@ -241,7 +268,7 @@ void Supernodal_cholesky<Scalar>::unpack(const Number* from, Eigen::Index c, int
     const Number* const at = from + std::int64_t(place) * columns * planes;
     for (Eigen::Index i = 0; c + i < end; ++i) {
       FT s[planes];
-      for (int q = 0; q < planes; ++q) s[q] = units[i] * at[i * planes + q];
+      for (int q = 0; q < planes; ++q) s[q] = units[i] * scale(k) * at[i * planes + q];
       x(k, c + i) = internal::Scalar_planes<Scalar>::put(s);
     }
   });

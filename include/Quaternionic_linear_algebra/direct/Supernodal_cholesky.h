@@ -31,8 +31,8 @@ class Supernodal_factor;
 /// factorization. Uses up to `number_of_threads()` threads; the results are bitwise independent of
 /// their number.
 ///
-/// A factor that serves as a preconditioner only (`factorize_preconditioner()`) is in single
-/// precision, with half of the memory and two thirds of the time, where that suffices.
+/// A factor that serves as a preconditioner only (`factorize_preconditioner()`) is computed in
+/// single precision, and most of it is stored in 16 bits, where that suffices.
 ///
 /// \tparam Scalar_ `double`, `std::complex<double>`, `Quaternion<double>`, `float` or
 /// `Quaternion<float>`, the instances in the compiled library.
@@ -82,7 +82,7 @@ class Supernodal_cholesky {
 
   Solver_status factorize(const Hermitian_sparse_matrix<Scalar>& A, const Vector<FT>& shift);
 
-  /// \brief Factorizes A + diag(shift) for `precondition()` only: in single precision, or like
+  /// \brief Factorizes A + diag(shift) for `precondition()` only: to four digits, or like
   /// `factorize()` where a pivot in single precision is not positive.
   Solver_status factorize_preconditioner(const Hermitian_sparse_matrix<Scalar>& A,
                                          const Vector<FT>& shift);
@@ -129,11 +129,14 @@ class Supernodal_cholesky {
   void unpack(const Number* from, Eigen::Index c, int columns, const FT* units,
               Block<Scalar>& x) const;
 
+  FT scale(int k) const { return m_scale.size() > 0 ? m_scale[k] : FT(1); }
+
   internal::Ordering m_ordering;
   int m_entries = 0;
   std::shared_ptr<const internal::Supernodal_structure> m_structure;
   std::unique_ptr<Factor<FT>> m_factor;
   std::unique_ptr<Factor<float>> m_rough_factor;  // null before the first one
+  Vector<FT> m_scale;                             // of the last factorization, if it was rough
   State m_state = State::no_factor;
   int m_bad_vertex = -1;
 };

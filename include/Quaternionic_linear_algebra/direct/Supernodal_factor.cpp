@@ -115,7 +115,7 @@ constexpr int blocks_per_piece = 8;
 template <class Scalar, class Real>
 struct internal::Supernodal_factor<Scalar, Real>::Input {
   const Hermitian_sparse_matrix<Scalar>& A;
-  const Vector<FT>& shift;
+  const Vector<FT>&shift, &scale;
   std::atomic<int> bad_column{internal::no_column};  // the smallest one found
 
   void report(int column)
@@ -143,16 +143,23 @@ struct internal::Supernodal_factor<Scalar, Real>::Front {
 
 template <class Scalar, class Real>
 internal::Supernodal_factor<Scalar, Real>::Supernodal_factor(
-    std::shared_ptr<const internal::Supernodal_structure> structure)
+    std::shared_ptr<const internal::Supernodal_structure> structure, bool is_rounded)
     : m_structure(std::move(structure)),
       m_kernels(kernels_for<Real>(internal::Scalar_planes<Scalar>::size)),
-      m_tasks(*m_structure)
+      m_tasks(*m_structure),
+      m_is_rounded(is_rounded),
+      m_panel_offsets(1, 0),
+      m_rounded_offsets(1, 0)
 {
   const internal::Supernodal_structure& S = *m_structure;
-  m_panel_offsets.assign(1, 0);
-  for (int s = 0; s < S.size(); ++s)
+  for (int s = 0; s < S.size(); ++s) {
+    const int k = S.width(s);
+    const std::int64_t all = layout().panel_size(k, S.height(s)),
+                       triangle = layout().panel_size(k, 0);
     m_panel_offsets.push_back(m_panel_offsets.back() +
-                              layout().panel_size(S.width(s), S.height(s)));
+                              (is_rounded ? triangle + layout().units_size(k) : all));
+    m_rounded_offsets.push_back(m_rounded_offsets.back() + (is_rounded ? all - triangle : 0));
+  }
   plan();
 }
 
@@ -167,12 +174,14 @@ int internal::Supernodal_factor<Scalar, Real>::threads(double seconds)
 
 template <class Scalar, class Real>
 int internal::Supernodal_factor<Scalar, Real>::factorize(const Hermitian_sparse_matrix<Scalar>& A,
-                                                         const Vector<FT>& shift)
+                                                         const Vector<FT>& shift,
+                                                         const Vector<FT>& scale)
 {
   plan();
   m_panels.resize(m_panel_offsets.back());
+  m_rounded.resize(m_rounded_offsets.back());
   m_updates.resize(m_places.size());
-  Input input{A, shift};
+  Input input{A, shift, scale};
   One_by_one loops;
   if (m_is_parallel)
     m_tasks.run(threads(seconds()),
@@ -191,6 +200,7 @@ template <class Scalar, class Real>
 void internal::Supernodal_factor<Scalar, Real>::release()
 {
   m_panels.resize(0);
+  m_rounded.resize(0);
   m_updates.resize(0);
 }
 
@@ -215,16 +225,29 @@ void internal::Supernodal_factor<Scalar, Real>::plan()
 
 template <class Scalar, class Real>
 typename internal::Supernodal_factor<Scalar, Real>::Front
-internal::Supernodal_factor<Scalar, Real>::front(int s)
+internal::Supernodal_factor<Scalar, Real>::open_front(int s, Aligned_array<Real>& panel)
 {
   const int k = m_structure->width(s), u = m_structure->height(s);
+  if (m_is_rounded) panel.resize(layout().panel_size(k, u));
   return {s,
           k,
           u,
           layout().blocks(k),
           layout().blocks(u),
-          m_panels.data() + m_panel_offsets[at(s)],
+          m_is_rounded ? panel.data() : m_panels.data() + m_panel_offsets[at(s)],
           m_updates.data() + m_places[s]};
+}
+
+template <class Scalar, class Real>
+internal::Factored_front<Real> internal::Supernodal_factor<Scalar, Real>::front(int s) const
+{
+  const int k = m_structure->width(s);
+  const Real* const panel = m_panels.data() + m_panel_offsets[at(s)];
+  Factored_front<Real> front{panel, k, m_structure->height(s), m_structure->rows(s)};
+  if (!m_is_rounded) return front;
+  front.rounded = m_rounded.data() + m_rounded_offsets[at(s)];
+  front.units = panel + layout().panel_size(k, 0);
+  return front;
 }
 
 // Once a bad column is found, only columns before it are eliminated.
@@ -233,10 +256,14 @@ template <class Loops>
 void internal::Supernodal_factor<Scalar, Real>::eliminate(int s, Input& input, Loops& loops)
 {
   if (m_structure->first(s) > input.bad_column) return;
-  const Front f = front(s);
+  Aligned_array<Real> panel;  // of this front alone: threads may work on others
+  const Front f = open_front(s, panel);
   const int bad = f.blocks > 2 * internal::blocks_per_piece ? eliminate_in_pieces(f, input, loops)
                                                             : eliminate_at_once(f, input);
-  if (bad >= 0) input.report(m_structure->first(s) + bad);
+  if (bad >= 0)
+    input.report(m_structure->first(s) + bad);
+  else if (m_is_rounded)
+    round(f);
 }
 
 template <class Scalar, class Real>
@@ -307,6 +334,14 @@ void internal::Supernodal_factor<Scalar, Real>::set_update(const Front& f, int b
   });
 }
 
+// The vertex of a row of the front, or of a column.
+template <class Scalar, class Real>
+int internal::Supernodal_factor<Scalar, Real>::vertex(const Front& f, int row) const
+{
+  const internal::Supernodal_structure& S = *m_structure;
+  return S.order()[at(row < f.columns ? S.first(f.s) + row : S.rows(f.s)[row - f.columns])];
+}
+
 template <class Scalar, class Real>
 void internal::Supernodal_factor<Scalar, Real>::add_matrix(const Front& f, const Input& input) const
 {
@@ -319,12 +354,24 @@ void internal::Supernodal_factor<Scalar, Real>::add_matrix(const Front& f, const
     internal::Scalar_planes<Scalar>::get(
         e->source >= 0 ? input.A.value(e->source) : conjugate(input.A.value(~e->source)), c);
     // Before rounding to Real, where a small shift may be lost.
-    if (e->row == e->column && input.shift.size() > 0)
-      c[0] += input.shift[S.order()[at(S.first(f.s) + static_cast<int>(e->column))]];
-    Real* const target =
-        f.panel + where.in_panel(f.columns, static_cast<int>(e->row), static_cast<int>(e->column));
+    const int row = static_cast<int>(e->row), column = static_cast<int>(e->column);
+    if (row == column && input.shift.size() > 0) c[0] += input.shift[vertex(f, row)];
+    if (input.scale.size() > 0)
+      for (FT& x : c) x *= input.scale[vertex(f, row)] * input.scale[vertex(f, column)];
+    Real* const target = f.panel + where.in_panel(f.columns, row, column);
     for (int q = 0; q < planes; ++q) target[q * where.lanes()] += static_cast<Real>(c[q]);
   }
+}
+
+// Keeps the triangle and rounds the rows below.
+template <class Scalar, class Real>
+void internal::Supernodal_factor<Scalar, Real>::round(const Front& f)
+{
+  const std::int64_t triangle = layout().panel_size(f.columns, 0);
+  Real* const kept = m_panels.data() + m_panel_offsets[at(f.s)];
+  std::copy_n(f.panel, triangle, kept);
+  m_kernels.round_below(f.panel + triangle, f.columns, f.blocks,
+                        m_rounded.data() + m_rounded_offsets[at(f.s)], kept + triangle);
 }
 
 #define CGP_DEFINE(Scalar, Real) template class internal::Supernodal_factor<Scalar, Real>;

@@ -91,21 +91,14 @@ void internal::Supernodal_substitution<Scalar, Real, numbers>::forward(int s, Re
   for (const int* c = S.children_begin(s); c != S.children_end(s); ++c)
     m_kernels.add_child({m_updates.data() + m_places[*c], S.height(*c), S.relative_rows(*c)},
                         S.width(s), rows_of(s, x), own);
-  m_kernels.forward(front(s), rows_of(s, x), own);
+  m_kernels.forward(m_factor.front(s), rows_of(s, x), own);
 }
 
 template <class Scalar, class Real, int numbers>
 void internal::Supernodal_substitution<Scalar, Real, numbers>::backward(int s, Real* x) const
 {
   if (s > 0) prefetch_panel(s - 1);
-  m_kernels.backward(front(s), rows_of(s, x), x);
-}
-
-template <class Scalar, class Real, int numbers>
-internal::Factored_front<Real> internal::Supernodal_substitution<Scalar, Real, numbers>::front(
-    int s) const
-{
-  return {m_factor.panel(s), S.width(s), S.height(s), S.rows(s)};
+  m_kernels.backward(m_factor.front(s), rows_of(s, x), x);
 }
 
 template <class Scalar, class Real, int numbers>
@@ -118,10 +111,17 @@ Real* internal::Supernodal_substitution<Scalar, Real, numbers>::rows_of(int s, R
 template <class Scalar, class Real, int numbers>
 void internal::Supernodal_substitution<Scalar, Real, numbers>::prefetch_panel(int s) const
 {
-  constexpr int line = 64 / static_cast<int>(sizeof(Real));
-  const std::int64_t size = m_factor.panel(s + 1) - m_factor.panel(s);
-  for (std::int64_t i = 0; i < (std::min)(size, std::int64_t(64) * line); i += line)
-    CGP_PREFETCH(m_factor.panel(s) + i);
+  const internal::Factored_front<Real> front = m_factor.front(s);
+  const auto& layout = m_factor.layout();
+  const std::int64_t triangle = layout.panel_size(front.columns, 0);
+  const auto prefetch = [](const auto* from, std::int64_t size) {
+    constexpr int line = 64 / static_cast<int>(sizeof *from);
+    for (std::int64_t i = 0; i < (std::min)(size, std::int64_t(64) * line); i += line)
+      CGP_PREFETCH(from + i);
+  };
+  const std::int64_t all = layout.panel_size(front.columns, front.rows_below);
+  prefetch(front.panel, front.rounded ? triangle : all);
+  if (front.rounded) prefetch(front.rounded, all - triangle);
   CGP_PREFETCH(S.rows(s));
 }
 

@@ -49,7 +49,6 @@ class Supernodal_substitution {
   void backward(int begin, int end, Real* x) const;
   void forward(int s, Real* x);
   void backward(int s, Real* x) const;
-  Factored_front<Real> front(int s) const;
   Real* rows_of(int s, Real* x) const;
   void prefetch_panel(int s) const;
 

@@ -145,10 +145,42 @@ class Panel_kernels {
         }
   }
 
+  /// \brief Rounds to whole multiples of units, see `Front_kernels`.
+  static void round_below(const Real* below, int columns, int blocks, std::int16_t* rounded,
+                          Real* units)
+  {
+    const std::int64_t stride = static_cast<std::int64_t>(columns) * cell;
+    for (int j = 0; j < columns; ++j, below += cell, rounded += cell) {
+      const Real largest = largest_of(below, stride, blocks);
+      const Real inverse = largest > Real(1e-30) ? 32767 / largest : Real(0);
+      units[j] = largest / 32767;
+      for (int b = 0; b < blocks; ++b)
+        for (int i = 0; i < cell; ++i) {
+          const Real x = below[b * stride + i] * inverse;
+          rounded[b * stride + i] = static_cast<std::int16_t>(
+              static_cast<int>(x < 0 ? x - Real(0.5) : x + Real(0.5)));  // to the nearest
+        }
+    }
+  }
+
  private:
   using Planes = Plane_products<planes>;
   static constexpr Panel_layout layout = Simd::layout(planes);
   static constexpr int group = Triangle::group;  // columns per kernel call
+
+  // The largest absolute value of a column in some row blocks.
+  static CGP_ALWAYS_INLINE Real largest_of(const Real* column, std::int64_t stride, int blocks)
+  {
+    Real largest[cell] = {};  // of each lane, which processors compare at once
+    for (int b = 0; b < blocks; ++b)
+      for (int i = 0; i < cell; ++i) {
+        const Real x = column[b * stride + i], size = x < 0 ? -x : x;
+        largest[i] = largest[i] < size ? size : largest[i];
+      }
+    Real all = 0;
+    for (int i = 0; i < cell; ++i) all = internal::greatest(all, largest[i]);
+    return all;
+  }
 
   static CGP_ALWAYS_INLINE std::int64_t place(int columns, int block, int column)
   {

@@ -4,6 +4,8 @@
 #include <Quaternionic_linear_algebra/vector_units/Front_kernels.h>
 #include <Quaternionic_linear_algebra/vector_units/kernel_arithmetic.h>
 
+#include <cstdint>
+
 namespace Conformal_geometry_processing {
 namespace internal {
 
@@ -61,6 +63,14 @@ struct Lane_array {
   friend CGP_ALWAYS_INLINE Lane_array operator*(Real a, Lane_array b) { return b *= a; }
 };
 
+#ifdef CGP_HAS_VECTOR_EXTENSIONS
+// A template, because compilers drop the attribute from a type that does not depend on one.
+template <class Number, int size>
+struct Vector_of {
+  typedef Number Type __attribute__((vector_size(size * sizeof(Number)), may_alias));
+};
+#endif
+
 /// \ingroup PkgLinearAlgebra
 /// \brief A register of the unit, with elementwise arithmetic.
 ///
@@ -88,6 +98,21 @@ struct Simd_lanes {
     *reinterpret_cast<Aliasing*>(p) = v;
   }
 
+  /// Converts whole numbers
+  static CGP_ALWAYS_INLINE Register load(const std::int16_t* p)
+  {
+#if defined(__clang__) || __GNUC__ >= 9
+    using Short = typename Vector_of<std::int16_t, size>::Type;
+    using Long = typename Vector_of<std::int32_t, size>::Type;
+    return __builtin_convertvector(
+        __builtin_convertvector(*reinterpret_cast<const Short*>(p), Long), Register);
+#else
+    Register v;
+    for (int l = 0; l < size; ++l) v[l] = p[l];
+    return v;
+#endif
+  }
+
   /// Sets one lane, without a store to memory
   static CGP_ALWAYS_INLINE void set_lane(Register& v, int lane, Real value)
   {
@@ -102,6 +127,12 @@ struct Simd_lanes {
   using Register = Lane_array<Unit, Real, size>;
 
   static CGP_ALWAYS_INLINE Register load(const Real* p)
+  {
+    Register v;
+    for (int l = 0; l < size; ++l) v[l] = p[l];
+    return v;
+  }
+  static CGP_ALWAYS_INLINE Register load(const std::int16_t* p)
   {
     Register v;
     for (int l = 0; l < size; ++l) v[l] = p[l];

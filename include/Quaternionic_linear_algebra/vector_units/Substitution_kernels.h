@@ -23,7 +23,6 @@ class Row_block_kernels {
   using Register = typename Simd::Register;
 
  public:
-  static constexpr int line = 64 / static_cast<int>(sizeof(Real));  ///< numbers in a cache line
   static constexpr int lanes = Simd::size;
   static constexpr int cell = planes * lanes;
   static constexpr int columns = numbers / planes;  ///< right-hand sides
@@ -45,8 +44,9 @@ class Row_block_kernels {
     CGP_UNROLL(8)
     for (int i = 0; i < numbers; ++i) Simd::store(to + i * lanes, acc[i / planes][i % planes]);
   }
-  /// acc -= L y for one column of a row block
-  static CGP_ALWAYS_INLINE void subtract(Accumulators& acc, const Real* L, const Real* y)
+  /// acc -= L y for one column of a row block, of numbers as they are stored
+  template <class Stored>
+  static CGP_ALWAYS_INLINE void subtract(Accumulators& acc, const Stored* L, const Real* y)
   {
     Register a[planes];
     load(L, a);
@@ -55,7 +55,8 @@ class Row_block_kernels {
   }
 
   /// acc += conjugate(L) y for one column of a row block
-  static CGP_ALWAYS_INLINE void add_conjugate(Accumulators& acc, const Real* L,
+  template <class Stored>
+  static CGP_ALWAYS_INLINE void add_conjugate(Accumulators& acc, const Stored* L,
                                               const Accumulators& y)
   {
     Register a[planes];
@@ -83,14 +84,17 @@ class Row_block_kernels {
   }
 
   /// Prefetches further cells: the factor is read only once, so it is not in the cache.
-  static CGP_ALWAYS_INLINE void prefetch(const Real* L)
+  template <class Stored>
+  static CGP_ALWAYS_INLINE void prefetch(const Stored* L)
   {
+    constexpr int line = 64 / static_cast<int>(sizeof(Stored));  // numbers in a cache line
     CGP_UNROLL(4)
     for (int i = 0; i < cell; i += line) CGP_PREFETCH(L + i);
   }
 
  private:
-  static CGP_ALWAYS_INLINE void load(const Real* from, Register (&a)[planes])
+  template <class Stored>
+  static CGP_ALWAYS_INLINE void load(const Stored* from, Register (&a)[planes])
   {
     CGP_UNROLL(4)
     for (int q = 0; q < planes; ++q) a[q] = Simd::load(from + q * lanes);
@@ -122,33 +126,37 @@ class Substitution_kernels {
 
   static void forward(const Front& front, Real* y, Real* below)
   {
-    const int k = front.columns, u = front.rows_below;
+    const int k = front.columns;
     solve_triangle(front.panel, k, y);
-    const Real* L = rows_below(front);
-    int row = 0;
-    if constexpr (Kernels::blocks_at_once > 1)
-      for (; row + lanes < u; row += 2 * lanes, L += std::int64_t(2) * k * cell)
-        forward_below<2>(L, k, u - row, y, below + std::int64_t(row) * numbers);
-    for (; row < u; row += lanes, L += std::int64_t(k) * cell)
-      forward_below<1>(L, k, u - row, y, below + std::int64_t(row) * numbers);
+    if constexpr (can_be_rounded)
+      if (front.rounded) {
+        alignas(64) Real multiples[max_panel_width * numbers];
+        for (int j = 0; j < k; ++j)
+          for (int i = 0; i < numbers; ++i)
+            multiples[j * numbers + i] = front.units[j] * y[j * numbers + i];
+        return forward_rows(front, front.rounded, multiples, below);
+      }
+    forward_rows(front, rows_below(front), y, below);
   }
 
   static void backward(const Front& front, Real* y, const Real* x)
   {
-    const int k = front.columns, u = front.rows_below;
+    const int k = front.columns;
     alignas(64) Real sums[max_panel_width * wide];
     internal::set_zero(sums, k * wide);
-    const Real* L = rows_below(front);
-    int row = 0;
-    if constexpr (Kernels::blocks_at_once > 1)
-      for (; row + lanes < u; row += 2 * lanes, L += std::int64_t(2) * k * cell)
-        backward_below<2>(L, k, front.rows + row, u - row, x, sums);
-    for (; row < u; row += lanes, L += std::int64_t(k) * cell)
-      backward_below<1>(L, k, front.rows + row, u - row, x, sums);
+    if (can_be_rounded && front.rounded) {
+      backward_rows(front, front.rounded, x, sums);
+      for (int j = 0; j < k; ++j)
+        for (int i = 0; i < wide; ++i) sums[j * wide + i] *= front.units[j];
+    } else {
+      backward_rows(front, rows_below(front), x, sums);
+    }
     solve_conjugate_triangle(front.panel, k, sums, y);
   }
 
  private:
+  static constexpr bool can_be_rounded = sizeof(Real) == sizeof(float);
+
   static CGP_ALWAYS_INLINE void add_row(Real* to, const Real* from)
   {
     for (int i = 0; i < numbers; ++i) to[i] += from[i];
@@ -161,6 +169,32 @@ class Substitution_kernels {
   {
     const std::int64_t triangle = (front.columns + lanes - 1) / lanes;
     return front.panel + triangle * front.columns * cell;
+  }
+
+  template <class Stored>
+  static CGP_ALWAYS_INLINE void forward_rows(const Front& front, const Stored* L, const Real* y,
+                                             Real* below)
+  {
+    const int k = front.columns, u = front.rows_below;
+    int row = 0;
+    if constexpr (Kernels::blocks_at_once > 1)
+      for (; row + lanes < u; row += 2 * lanes, L += std::int64_t(2) * k * cell)
+        forward_below<2>(L, k, u - row, y, below + std::int64_t(row) * numbers);
+    for (; row < u; row += lanes, L += std::int64_t(k) * cell)
+      forward_below<1>(L, k, u - row, y, below + std::int64_t(row) * numbers);
+  }
+
+  template <class Stored>
+  static CGP_ALWAYS_INLINE void backward_rows(const Front& front, const Stored* L, const Real* x,
+                                              Real* sums)
+  {
+    const int k = front.columns, u = front.rows_below;
+    int row = 0;
+    if constexpr (Kernels::blocks_at_once > 1)
+      for (; row + lanes < u; row += 2 * lanes, L += std::int64_t(2) * k * cell)
+        backward_below<2>(L, k, front.rows + row, u - row, x, sums);
+    for (; row < u; row += lanes, L += std::int64_t(k) * cell)
+      backward_below<1>(L, k, front.rows + row, u - row, x, sums);
   }
 
   static CGP_ALWAYS_INLINE void solve_triangle(const Real* L, int k, Real* y)
@@ -184,8 +218,8 @@ class Substitution_kernels {
     }
   }
 
-  template <int blocks>
-  static CGP_ALWAYS_INLINE void forward_below(const Real* L, int k, int count, const Real* y,
+  template <int blocks, class Stored>
+  static CGP_ALWAYS_INLINE void forward_below(const Stored* L, int k, int count, const Real* y,
                                               Real* to)
   {
     const std::int64_t stride = static_cast<std::int64_t>(k) * cell;
@@ -205,8 +239,8 @@ class Substitution_kernels {
   }
 
   // sums_j += conjugate(L_j) x for each column j
-  template <int blocks>
-  static CGP_ALWAYS_INLINE void backward_below(const Real* L, int k, const int* rows, int count,
+  template <int blocks, class Stored>
+  static CGP_ALWAYS_INLINE void backward_below(const Stored* L, int k, const int* rows, int count,
                                                const Real* x, Real* sums)
   {
     const std::int64_t stride = static_cast<std::int64_t>(k) * cell;

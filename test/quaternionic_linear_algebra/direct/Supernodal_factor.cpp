@@ -58,6 +58,12 @@ TEST(Is_finite, sees_one_number_among_many_on_several_threads)
   }
 }
 
+double power_of_two(const CGP::Quaternion_vector<double>& v)
+{
+  return CGP::internal::power_of_two<Quaternion<double>>(v.size(),
+                                                         [&](std::ptrdiff_t i) { return v[i]; });
+}
+
 TEST(Power_of_two, is_just_above_the_largest_number)
 {
   CGP::Quaternion_vector<double> v = CGP::Quaternion_vector<double>::Constant(3, {});
@@ -65,7 +71,7 @@ TEST(Power_of_two, is_just_above_the_largest_number)
   for (const double largest : {.75, 1., 1.5, 3e40, 1e-30}) {
     v[1].z = -largest;
     v[0].x = .1 * largest;
-    const double power = CGP::internal::power_of_two(v);
+    const double power = power_of_two(v);
     EXPECT_GT(power, largest);
     EXPECT_LE(power, 2 * largest);
     EXPECT_EQ(std::ldexp(1., std::ilogb(power)), power);
@@ -75,10 +81,10 @@ TEST(Power_of_two, is_just_above_the_largest_number)
 TEST(Power_of_two, is_one_where_there_is_none)
 {
   CGP::Quaternion_vector<double> v = CGP::Quaternion_vector<double>::Constant(3, {});
-  EXPECT_EQ(CGP::internal::power_of_two(v), 1);
+  EXPECT_EQ(power_of_two(v), 1);
   for (const double odd : {nan, infinity, 1e-310}) {
     v[1].y = odd;
-    EXPECT_EQ(CGP::internal::power_of_two(v), 1);
+    EXPECT_EQ(power_of_two(v), 1);
   }
 }
 
@@ -185,7 +191,7 @@ class Supernodal_factor : public testing::Test {
       for (int j = 0; j < S.width(s); ++j)
         for (int i = j; i < S.width(s) + S.height(s); ++i)
           L(i < S.width(s) ? S.first(s) + i : S.rows(s)[i - S.width(s)], S.first(s) + j) =
-              get<Kind>(factor.panel(s) + in_panel<Kind>(S.width(s), i, j));
+              get<Kind>(factor.front(s).panel + in_panel<Kind>(S.width(s), i, j));
     return L;
   }
 
@@ -233,13 +239,13 @@ TYPED_TEST(Supernodal_factor, is_the_same_to_the_bit_every_time_and_in_the_same_
     const auto A = random_definite<typename TypeParam::Scalar>(pattern, 9);
     auto factor = this->factor_of(pattern, random_permutation(90, 10));
     ASSERT_EQ(factor.factorize(A, {}), -1);
-    const auto* const before = factor.panel(0);
+    const auto* const before = factor.front(0).panel;
     const std::vector<typename TypeParam::Real> numbers(
         before, before + factor.panel_bytes() / std::int64_t(sizeof(typename TypeParam::Real)));
     ASSERT_EQ(factor.factorize(random_definite<typename TypeParam::Scalar>(pattern, 11), {}), -1);
     EXPECT_NE(std::memcmp(before, numbers.data(), std::size_t(factor.panel_bytes())), 0);
     ASSERT_EQ(factor.factorize(A, {}), -1);
-    EXPECT_EQ(factor.panel(0), before);
+    EXPECT_EQ(factor.front(0).panel, before);
     EXPECT_EQ(std::memcmp(before, numbers.data(), std::size_t(factor.panel_bytes())), 0);
   });
 }
@@ -282,12 +288,14 @@ TYPED_TEST(Supernodal_factor, is_the_same_to_the_bit_for_any_number_of_threads)
       const std::int64_t bytes = factor.bytes();
       std::int64_t bytes_of_many = 0, bytes_of_one = 0;
       const std::vector<Real> one(
-          factor.panel(0), factor.panel(0) + factor.panel_bytes() / std::int64_t(sizeof(Real)));
+          factor.front(0).panel,
+          factor.front(0).panel + factor.panel_bytes() / std::int64_t(sizeof(Real)));
       for (const int threads : {2, 3, 7, 1}) {
         const Threads setting(threads);
         ASSERT_EQ(factor.factorize(A, {}), -1);
         (threads > 1 ? bytes_of_many : bytes_of_one) = factor.bytes();
-        EXPECT_EQ(std::memcmp(factor.panel(0), one.data(), std::size_t(factor.panel_bytes())), 0);
+        EXPECT_EQ(std::memcmp(factor.front(0).panel, one.data(), std::size_t(factor.panel_bytes())),
+                  0);
       }
       EXPECT_EQ(bytes_of_one, bytes);
       EXPECT_GE(bytes_of_many, bytes);

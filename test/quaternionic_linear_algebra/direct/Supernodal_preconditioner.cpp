@@ -31,11 +31,12 @@ struct Preconditioner : CGP::Supernodal_cholesky<Scalar> {
 
 }  // namespace cgp_test::supernodal_preconditioner_tests
 
-// A float has seven digits, and the condition numbers of these matrices cost up to two.
+// Rounded numbers have four digits and a half, and the condition numbers of these matrices cost up
+// to two.
 template <class Scalar>
 inline constexpr double
     cgp_test::error_of_solution<cgp_test::supernodal_preconditioner_tests::Preconditioner<Scalar>> =
-        1e-5;
+        2e-3;
 
 namespace cgp_test::supernodal_preconditioner_tests {
 
@@ -79,7 +80,7 @@ class Supernodal_preconditioner : public testing::Test {
 using Scalars = testing::Types<double, std::complex<double>, Quaternion<double>>;
 TYPED_TEST_SUITE(Supernodal_preconditioner, Scalars);
 
-TYPED_TEST(Supernodal_preconditioner, is_in_single_precision)
+TYPED_TEST(Supernodal_preconditioner, is_rounded_to_four_digits)
 {
   on_every_unit([&] {
     const Pattern pattern = grid_pattern(15, 15);
@@ -87,8 +88,8 @@ TYPED_TEST(Supernodal_preconditioner, is_in_single_precision)
     ASSERT_EQ(this->solver.analyze(*pattern), Solver_status::success);
     ASSERT_EQ(this->solver.factorize_preconditioner(A, {}), Solver_status::success);
     const double error = this->relative_error(A);
-    EXPECT_LT(error, 1e-5);
-    EXPECT_GT(error, 1e-9);
+    EXPECT_LT(error, 5e-4);
+    EXPECT_GT(error, 1e-7);
   });
 }
 
@@ -110,7 +111,30 @@ TYPED_TEST(Supernodal_preconditioner, does_not_pass_for_a_solver)
   EXPECT_EQ(this->solver.precondition(b, x), Solver_status::wrong_state);
 }
 
-TYPED_TEST(Supernodal_preconditioner, needs_little_more_than_half_of_the_memory)
+// Rounding must not know the size of a row: slivers have entries that are larger by powers of ten.
+TYPED_TEST(Supernodal_preconditioner, is_the_same_for_rows_and_columns_times_powers_of_two)
+{
+  const Pattern pattern = grid_pattern(12, 12);
+  const auto A = random_definite<TypeParam>(pattern, 3);
+  const auto power = [](int i) { return std::ldexp(1., 13 * (i % 7) - 39); };
+  auto B = A;
+  for (int j = 0; j < pattern->size(); ++j)
+    for (int k = pattern->offsets[at(j)]; k < pattern->offsets[at(j) + 1]; ++k)
+      B.value(k) *= power(j) * power(pattern->indices[at(k)]);
+  const auto b = random_block<TypeParam>(pattern->size(), 1, 4);
+  auto c = b;
+  for (int i = 0; i < pattern->size(); ++i) c(i, 0) *= power(i);
+  CGP::Block<TypeParam> x, y;
+  ASSERT_EQ(this->solver.analyze(*pattern), Solver_status::success);
+  ASSERT_EQ(this->solver.factorize_preconditioner(A, {}), Solver_status::success);
+  ASSERT_EQ(this->solver.precondition(b, x), Solver_status::success);
+  ASSERT_EQ(this->solver.factorize_preconditioner(B, {}), Solver_status::success);
+  ASSERT_EQ(this->solver.precondition(c, y), Solver_status::success);
+  for (int i = 0; i < pattern->size(); ++i) y(i, 0) *= power(i);
+  EXPECT_EQ(real_columns(y), real_columns(x));
+}
+
+TYPED_TEST(Supernodal_preconditioner, needs_about_half_of_the_memory)
 {
   const Pattern pattern = grid_pattern(80, 80);
   const auto A = random_definite<TypeParam>(pattern, 3);
@@ -118,7 +142,7 @@ TYPED_TEST(Supernodal_preconditioner, needs_little_more_than_half_of_the_memory)
   ASSERT_EQ(this->solver.factorize(A, {}), Solver_status::success);
   const double full = this->solver.statistics().bytes;
   ASSERT_EQ(this->solver.factorize_preconditioner(A, {}), Solver_status::success);
-  EXPECT_LT(this->solver.statistics().bytes, 0.8 * full);
+  EXPECT_LT(this->solver.statistics().bytes, 0.55 * full);
 }
 
 TYPED_TEST(Supernodal_preconditioner, improves_a_solution_to_double_precision_by_refinement)
@@ -130,7 +154,7 @@ TYPED_TEST(Supernodal_preconditioner, improves_a_solution_to_double_precision_by
   const Eigen::MatrixXd D = real_form(A);
   const auto b = random_block<TypeParam>(80, 1, 7);
   Eigen::VectorXd x = Eigen::VectorXd::Zero(D.rows());
-  for (int i = 0; i < 5; ++i) {
+  for (int i = 0; i < 7; ++i) {
     const Eigen::VectorXd r = real_columns(b) - D * x;
     CGP::Block<TypeParam> residual(80, 1);
     std::copy(r.data(), r.data() + r.size(), reinterpret_cast<double*>(residual.data()));

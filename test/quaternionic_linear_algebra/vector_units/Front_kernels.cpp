@@ -8,6 +8,8 @@
 #include "quaternionic_linear_algebra/dense_fronts.h"
 #include "support/decompositions.h"
 
+#include <cmath>
+#include <cstdint>
 #include <limits>
 
 namespace cgp_test::front_kernels_tests {
@@ -153,6 +155,31 @@ TYPED_TEST(Front_kernels, leave_zeros_above_the_diagonal_and_in_rows_that_do_not
       for (double part : parts) entries += std::abs(part);
     }
     EXPECT_NEAR(sum, entries, 1e-12 * entries);
+  });
+}
+
+TYPED_TEST(Front_kernels, round_each_column_to_multiples_of_a_unit)
+{
+  using Stored = typename TypeParam::Real;
+  on_every_unit([&] {
+    const auto kernels = TypeParam::kernels();
+    const int width = 5, blocks = 3, cell = kernels.layout.cell();
+    CGP::internal::Aligned_array<Stored> numbers;
+    CGP::internal::Aligned_array<std::int16_t> rounded;
+    numbers.resize(blocks * width * cell);
+    rounded.resize(numbers.size());
+    Stored units[width];
+    for (int i = 0; i < numbers.size(); ++i)  // column 2 is too small, column 3 zero
+      numbers.data()[i] = static_cast<Stored>(std::sin(i) * std::pow(10., i / cell % width * -20) *
+                                              (i / cell % width != 3));
+    kernels.round_below(numbers.data(), width, blocks, rounded.data(), units);
+    for (int i = 0; i < numbers.size(); ++i) {
+      const Stored unit = units[i / cell % width];
+      EXPECT_NEAR(unit * rounded.data()[i], numbers.data()[i],
+                  i / cell % width < 2 ? 0.5001 * unit : Stored(1e-30));
+      EXPECT_LE(unit, Stored(1.0001) / 32767);
+    }
+    EXPECT_GT(units[1], Stored(0.9e-20) / 32767);
   });
 }
 

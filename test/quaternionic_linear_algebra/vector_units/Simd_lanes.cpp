@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
+
 namespace cgp_test::simd_lanes_tests {
 
 namespace CGP = Conformal_geometry_processing;
@@ -74,6 +76,17 @@ TYPED_TEST(Simd_lanes, are_computed_one_by_one)
   TypeParam::store(a, TypeParam::load(b) - TypeParam::load(a) * b[1]);
   for (int i = 0; i < TypeParam::size; ++i)
     EXPECT_EQ(a[i], Real(3 * i - 5) - Real(i + 1) * Real(-2));
+}
+
+TYPED_TEST(Simd_lanes, are_converted_from_whole_numbers)
+{
+  using Real = Number<TypeParam>;
+  alignas(64) std::int16_t whole[TypeParam::size];
+  alignas(64) Real a[TypeParam::size];
+  for (int i = 0; i < TypeParam::size; ++i)
+    whole[i] = static_cast<std::int16_t>(i % 2 ? 32767 - i : i - 32768);
+  TypeParam::store(a, TypeParam::load(whole));
+  for (int i = 0; i < TypeParam::size; ++i) EXPECT_EQ(a[i], Real(whole[i]));
 }
 
 TYPED_TEST(Simd_lanes, can_be_set_alone)
