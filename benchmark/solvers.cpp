@@ -44,6 +44,7 @@ std::vector<Row> all_rows()
   add_flows(rows);
   add_spectra(rows);
   add_threads(rows);
+  add_roofline(rows);
   return rows;
 }
 

@@ -88,6 +88,12 @@ def factors(m):
             for mesh, _, _ in m.meshes() if (rows := m.measured("factor", mesh=mesh))}
 
 
+def roofline(m):
+    """mesh -> stage -> percent of the bandwidth of one thread"""
+    return {title(mesh): {row["model"]: 100 * row["bytes"] / row["seconds"] / row["bandwidth"] for row in rows}
+            for mesh, _, _ in m.meshes() if (rows := m.measured("roofline", mesh=mesh))}
+
+
 def by_faces(m, value):
     """model -> (faces, value), on spheres; P is the yardstick"""
     lines = {}
@@ -106,5 +112,7 @@ def figures(rows):
         "costs": plot.dots(costs(m), "multiples of P", "Costs, by mesh"),
         "stages": plot.bars(stages(m), "Percent of a first transformation, by mesh"),
         "factors": plot.dots(factors(m), "multiples of CHOLMOD's scalar factorization",
-                             "Numeric factorization, by mesh")}
+                             "Numeric factorization, by mesh"),
+        "roofline": plot.dots(roofline(m), "percent of the bandwidth of one thread",
+                              "What has to be read and written, per second, by mesh")}
     return {f"performance_{name}.svg": svg for name, svg in drawn.items()}

@@ -53,6 +53,7 @@ void repeat(const Job& job, Action action)
 
 // One function per source file of this folder, which adds its rows.
 void add_poisson(std::vector<Row>& rows);
+void add_roofline(std::vector<Row>& rows);
 void add_native_factors(std::vector<Row>& rows);
 void add_other_factors(std::vector<Row>& rows);
 void add_native_transforms(std::vector<Row>& rows);

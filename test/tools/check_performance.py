@@ -28,7 +28,16 @@ def factor(mesh, faces, model, again, **more):
             "poisson": 0.5, "poisson_again": 0.25, "poisson_solve": 0.05, **more}
 
 
+def roofline(mesh, faces, bytes_per_vertex, share):
+    vertices = faces // 2 + 2
+    return {"table": "roofline", "model": "product", "mesh": mesh, "faces": faces, "vertices": vertices,
+            "bytes": bytes_per_vertex * vertices, "seconds": 2.0,
+            "bandwidth": bytes_per_vertex * vertices / 2 / share}
+
+
 ROWS = [
+    roofline("20", 8000, 25, 0.25),
+    roofline("41", 33620, 75, 0.75),
     transform("20", 8000, "native, double", 1.5),
     transform("41", 33620, "native, double", 0.75),
     transform("20", 8000, "native, float", 1.0),
@@ -78,6 +87,11 @@ def check_verdicts(m):
             yield f"{target.statement}: {found} with \"{cells[2]}\", not {met} with \"{shown}\""
 
 
+def check_roofline(m):
+    if performance_page.roofline(m) != {title("20"): {"product": 25}, title("41"): {"product": 75}}:
+        yield f"the roofline is wrong: {performance_page.roofline(m)}"
+
+
 def check_drawing():
     lines = {"a <b>": [(1, 1), (1000, 50)], "c": [(1000, 51), (10, 2)]}
     svg = xml.etree.ElementTree.fromstring(plot.curves(lines, "x", "y", "title"))
@@ -116,11 +130,11 @@ def check_page():
     blocks = performance_page.blocks(ROWS)
     if "| **not met** |" not in blocks["targets"] or "9 of 13 targets" not in blocks["met"]:
         yield f"the page does not count targets: {blocks['met']}"
-    if len(performance_page.figures(ROWS)) != 5:
+    if len(performance_page.figures(ROWS)) != 6:
         yield "figures are missing"
 
 
 if __name__ == "__main__":
     measured = Measurements(ROWS)
-    sources.finish([*check_numbers(measured), *check_verdicts(measured), *check_drawing(), *check_rows(),
-                    *check_page()], "the page of measurements")
+    sources.finish([*check_numbers(measured), *check_verdicts(measured), *check_roofline(measured), *check_drawing(),
+                    *check_rows(), *check_page()], "the page of measurements")
