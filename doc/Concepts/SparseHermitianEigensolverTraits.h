@@ -12,9 +12,9 @@ using namespace Conformal_geometry_processing;
 /// counts once. If the iteration does not converge, the result says so; this is not an error.
 ///
 /// An eigenvalue with several eigenvectors is returned as often as the block has room for it. The
-/// caller cannot tell whether a copy is missing: `Eigensolver_result::gap` is an upper bound, and
-/// too large then. Krylov methods that begin with one vector miss copies at loose tolerances, and
-/// count as converged; blocks do not.
+/// library asks for one vector, takes it only if it lies on the branch that it follows, and looks
+/// for the next eigenvalue by itself. Who asks for several has to know: Krylov methods that begin
+/// with one vector miss copies at loose tolerances, and count as converged; blocks do not.
 ///
 /// Headers of these types:
 /// - `Conformal_geometry_processing::Block`,

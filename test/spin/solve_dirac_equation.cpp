@@ -10,8 +10,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <stdexcept>
+#include <utility>
 
+#include "quaternionic_linear_algebra/hermitian_matrices.h"
 #include "spin/solved.h"
 #include "support/Counted_solver_traits.h"
 #include "support/decompositions.h"
@@ -225,6 +228,51 @@ TEST(Solve_dirac_equation, does_not_depend_on_the_random_start_beyond_the_tolera
   const CGP::internal::Dirac_solution b =
       CGP::solve_dirac_equation(system, shifted(mesh, 0), options);
   EXPECT_LT(greatest_difference(a.lambda, b.lambda), 1e-7);
+}
+
+/// finds the next eigenpair in place of the wanted one, to all digits, in its first calls
+struct Next_eigenpair {
+  int* calls;  ///< that are left
+  int* most_columns;
+
+  template <class Masses, class Solver, class GoFurther>
+  CGP::Eigensolver_result operator()(const CGP::Hermitian_sparse_matrix<CGP::Quaternion<double>>& A,
+                                     const Masses& N, const Solver& solver,
+                                     CGP::Block<CGP::Quaternion<double>> x0,
+                                     CGP::Eigensolver_options options, GoFurther go_further) const
+  {
+    *most_columns = (std::max)(*most_columns, static_cast<int>(x0.cols()));
+    const CGP::Lobpcg_eigensolver_traits lobpcg;
+    if (--*calls < 0) return lobpcg(A, N, solver, std::move(x0), options, go_further);
+    x0.conservativeResize(Eigen::NoChange, 2);
+    x0.col(1) = random_block<CGP::Quaternion<double>>(static_cast<int>(x0.rows()), 1, 7).col(0);
+    options.wanted = 2;
+    options.adapt = {};
+    auto pairs = lobpcg(A, N, solver, std::move(x0), options, go_further);
+    pairs.vectors = pairs.vectors.rightCols(1).eval();
+    pairs.values = pairs.values.tail(1).eval();
+    pairs.estimates = pairs.estimates.tail(1).eval();
+    return pairs;
+  }
+};
+
+// One vector is asked for, so that copies of an eigenvalue cannot be missing.
+TEST(Solve_dirac_equation, asks_for_one_vector_and_does_not_take_that_of_another_branch)
+{
+  const Mesh_view mesh = bumpy_sphere(2);
+  const Curvature_potential rho = Curvature_potential::on_faces(rho_of_section_3_on_faces(mesh));
+  const CGP::internal::Dirac_solution expected = solved(mesh, rho);
+  ASSERT_TRUE(expected.converged);
+  int most_columns = 0;
+  for (const int wrong_calls : {1, 2, 1000}) {
+    int calls = wrong_calls;
+    CGP::Dirac_options options;
+    options.eigensolver = Next_eigenpair{&calls, &most_columns};
+    const CGP::internal::Dirac_solution s = solved(mesh, rho, options);
+    EXPECT_EQ(s.converged, wrong_calls < 1000);
+    if (s.converged) EXPECT_NEAR(s.eigenvalue, expected.eigenvalue, 1e-8) << wrong_calls;
+  }
+  EXPECT_EQ(most_columns, 1);
 }
 
 TEST(Solve_dirac_equation, reports_progress_and_stops_when_told)
