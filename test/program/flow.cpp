@@ -106,6 +106,20 @@ TEST_F(Flow, makes_ten_steps_if_not_told_otherwise)
   EXPECT_EQ(json("b.json")["result"]["stop"], "all steps are done");
 }
 
+TEST_F(Flow, says_once_that_it_takes_long)
+{
+  write("a.off", off(cgp_test::bumpy_sphere(1)));
+  for (const int steps : {59, 70}) {
+    const Program_run r =
+        run("flow a.off --plain --time-step 0.01 --steps " + std::to_string(steps) + " -o b.ply");
+    ASSERT_EQ(r.code, 0) << r.err;
+    EXPECT_EQ(r.err, steps < 60 ? ""
+                                : "conformal: note: this takes long: 60 steps, where most surfaces "
+                                  "settle in 5 to 20; a signal (Ctrl-C) ends it, and the surface "
+                                  "so far is written\n");
+  }
+}
+
 TEST_F(Flow, says_in_words_why_it_stops_early)
 {
   write("round.off", off(cgp_test::icosphere(3)));

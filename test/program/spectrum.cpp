@@ -70,6 +70,16 @@ TEST_F(Spectrum, says_that_the_mesh_does_not_resolve_what_was_asked_for)
   EXPECT_EQ(run("spectrum a.off --count 42 --force --csv a.csv").code, 0);
 }
 
+TEST_F(Spectrum, says_that_many_eigenvalues_take_long)
+{
+  write("a.off", off(cgp_test::icosphere(2)));
+  for (const int count : {79, 80}) {
+    const Program_run r = run("spectrum a.off --count " + std::to_string(count));
+    EXPECT_EQ(r.err.find("this takes long: 80 eigenvalues") != std::string::npos, count == 80)
+        << r.err;
+  }
+}
+
 TEST_F(Spectrum, next_to_a_shift_and_with_a_boundary)
 {
   write("a.off", off(cgp_test::disk(8)));

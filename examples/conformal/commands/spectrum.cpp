@@ -77,13 +77,17 @@ Files files(const Spectrum_options& spectrum)
 }
 
 CGP::internal::Dirac_spectrum find(const Surface_input& input, const Spectrum_options& options,
-                                   const Session& session)
+                                   Session& session)
 {
   const CGP::Mesh_view& mesh = input.mesh;
   if (options.count > mesh.size_of_vertices())
     throw Failure(Exit_code::usage, "--count " + std::to_string(options.count) + ": " +
                                         options.input + " has only " +
                                         std::to_string(mesh.size_of_vertices()) + " vertices");
+  const int dear = 80;  // some 200 scalar Poisson problems
+  if (options.count >= dear)
+    session.note("this takes long: " + std::to_string(options.count) +
+                 " eigenvalues, the square of which is the cost; a signal (Ctrl-C) ends it");
   Progress progress = session.progress();
   const auto go_further = [&](const CGP::internal::Krylov_progress& p) {
     progress.show(

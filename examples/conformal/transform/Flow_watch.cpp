@@ -46,6 +46,13 @@ void Flow_watch::on_step_end(const CGP::Flow_step_report& step, const CGP::Mesh_
   else
     m_evidence.mollification = step.spin.mollification;
   m_evidence.direction_error = step.spin.direction_error;
+  const int dear = 60;  // steps: some 200 scalar Poisson problems
+  if (m_steps == dear) {
+    m_progress.clear();
+    m_session.note(
+        "this takes long: 60 steps, where most surfaces settle in 5 to 20; a signal (Ctrl-C) "
+        "ends it, and the surface so far is written");
+  }
   if (m_options.every > 0 && step.step % m_options.every == 0) write_snapshot(step.step, mesh);
   show(0, "");
 }
