@@ -173,16 +173,28 @@ auto Conformal_willmore_flow::try_step(const Eigen::VectorXd& rho, Flow_step_rep
     Verdict verdict = Verdict::out_of_bound;
     report.is_bounded = m_is_bounded;
     if (!m_is_bounded) verdict = judge_new(m_transformation.closed_step(rho, go_further), report);
-    if (verdict != Verdict::out_of_bound) return verdict;
-    report.is_bounded = true;
-    return judge_new(m_scale_bound->step(m_transformation, m_mesh, rho,
-                                         report.time_step / m_options.time_step, go_further),
-                     report);
+    return verdict == Verdict::out_of_bound ? try_bounded_step(rho, report, go_further) : verdict;
   } catch (const Solver_error& error) {
     if (is_out_of_memory(error)) throw;
     report.message = error.what();
     return Verdict::bad;
   }
+}
+
+auto Conformal_willmore_flow::try_bounded_step(const Eigen::VectorXd& rho, Flow_step_report& report,
+                                               const Go_further& go_further) -> Verdict
+{
+  const int tries = 2;  // the second one knows what the first has missed the bound by
+  const double time = report.time_step / m_options.time_step;
+  Verdict verdict = Verdict::out_of_bound;
+  report.is_bounded = true;
+  for (int i = 0; i < tries && verdict == Verdict::out_of_bound; ++i) {
+    verdict =
+        judge_new(m_scale_bound->step(m_transformation, m_mesh, rho, time, go_further), report);
+    if (verdict == Verdict::out_of_bound) m_scale_bound->learn(m_next.positions(), time);
+  }
+  if (verdict == Verdict::good) m_scale_bound->learn(m_mesh.positions(), time);
+  return verdict;
 }
 
 auto Conformal_willmore_flow::judge_new(Spin_result result, Flow_step_report& report) -> Verdict

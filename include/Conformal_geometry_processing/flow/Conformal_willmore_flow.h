@@ -225,6 +225,7 @@ class Conformal_willmore_flow {
     double energy;
     internal::Time_step time_step;
     internal::Class_keeper::State keeper;
+    internal::Scale_bound::Pace pace;
   };
 
   double energy_of(const Mesh_view& mesh) const;
@@ -301,6 +302,9 @@ class Conformal_willmore_flow {
   /// Transforms the surface; adopts the result if it is acceptable.
   Verdict try_step(const Eigen::VectorXd& rho, Flow_step_report& report,
                    const Go_further& go_further);
+  /// Likewise with the rho' that keeps lengths to their bound.
+  Verdict try_bounded_step(const Eigen::VectorXd& rho, Flow_step_report& report,
+                           const Go_further& go_further);
   Verdict judge(Spin_result result, Flow_step_report& report);
   /// Likewise for a result of which the report has not told yet.
   Verdict judge_new(Spin_result result, Flow_step_report& report);

@@ -168,13 +168,15 @@ void Conformal_willmore_flow::judge_boundary(Spin_report& report) const
 auto Conformal_willmore_flow::state() const -> State
 {
   return {m_mesh.positions(), m_energy, m_time_step,
-          m_class ? m_class->state() : internal::Class_keeper::State()};
+          m_class ? m_class->state() : internal::Class_keeper::State(),
+          m_scale_bound ? m_scale_bound->pace() : internal::Scale_bound::Pace()};
 }
 
 void Conformal_willmore_flow::restore(const State& before)
 {
   m_time_step = before.time_step;
   if (m_class) m_class->set_state(before.keeper);
+  if (m_scale_bound) m_scale_bound->set_pace(before.pace);
   if (m_mesh.positions() == before.positions) return;
   m_mesh.set_positions(before.positions);
   m_transformation.set_positions(before.positions);

@@ -51,39 +51,59 @@ Spin_report::Scales Scale_bound::measured(const Points& positions) const
   return measured_scales(spins_of(vertex_log_scales(m_initial, positions)), m_areas, m_control);
 }
 
-Scale_control Scale_bound::control(const Mesh_view& surface, double time) const
+// By the areas of the surface, which its factors have only to the discretisation error, the same
+// lengths are not at the same part of the bound: what is asked for is the difference.
+Scale_control Scale_bound::control(const Mesh_view& surface, double retreat) const
 {
-  const double room = .02, aimed_below = Relaxed_scales_options().closeness / 2;
-  const double used = measured(surface.positions()).excess();
-  const double kept = (std::min)(used * (1 + aimed_below) - time * room, 1.);
-  Scale_control control;
-  control.bound = std::pow(*m_control.bound, (std::max)(1 - room, kept));
   const Eigen::VectorXd u = vertex_log_scales(m_initial, surface.positions());
+  const Eigen::VectorXd areas = vertex_areas(surface);
+  Scale_control control = m_control;
   control.factors = (-u).array().exp();
-  control.weights = m_areas.cwiseQuotient(vertex_areas(surface));
+  control.weights = m_areas.cwiseQuotient(areas);
   control.counted_areas = m_areas;
+  const auto unmoved = spins_of(Eigen::VectorXd::Zero(u.size()));
+  const double there = measured_scales(unmoved, areas, control).excess();
+  const double left = 1 - measured(surface.positions()).excess(), least = .5;
+  control.bound = std::pow(*m_control.bound, (std::max)(there + left - retreat, least));
   return control;
 }
 
-Spin_result Scale_bound::step(
-    Spin_transformation& transformation, const Mesh_view& surface, const Eigen::VectorXd& rho,
-    double time, const std::function<bool(const Eigensolver_progress&)>& go_further) const
+Spin_result Scale_bound::step(Spin_transformation& transformation, const Mesh_view& surface,
+                              const Eigen::VectorXd& rho, double time,
+                              const std::function<bool(const Eigensolver_progress&)>& go_further)
 {
-  const Scale_control bounded = control(surface, time);
+  const Scale_control bounded = control(surface, time * m_pace.retreat);
   std::optional<Period_residual> periods;
   Spin_residuals closing;
   if (const Exactness_constraints* loops = transformation.closing())
     closing.push_back(&periods.emplace(transformation.system().surface(), *loops));
-  // Weights that do not become small with the step would lead lengths back that rho does not move.
-  const double weight = .03 * time;
-  Relaxed_scales_options options;
-  options.least_weight *= time;
   const Eigen::VectorXd in_frame = transformation.domain().unit() * rho;
-  Relaxed_scales search(transformation.system(), in_frame, bounded, closing, options);
-  search.restart({search.spins().start(), in_frame, weight, search.excess()});
+  Relaxed_scales search(transformation.system(), in_frame, bounded, closing, options(time));
+  search.restart({search.spins().start(), in_frame, time * m_pace.weight, search.excess()});
   search.follow(in_frame, go_further);
   if (periods && search.steps() > 0) search.meet_few(true);
+  m_pace.weight = search.weight() / time;
   return transformation.surface_of(search.solution());
+}
+
+// The energy falls by the inner product of rho and rho' over the area, so rho' is the nearest by
+// that: the nearest by another one may have more energy. All that is asked for of lengths tends to
+// zero with the step, or the smallest one would still move them.
+Relaxed_scales_options Scale_bound::options(double time)
+{
+  Relaxed_scales_options options;
+  options.spins.smoothness = 0;
+  options.last_tolerance = .02;
+  options.least_weight *= time;
+  options.closeness *= time;
+  return options;
+}
+
+void Scale_bound::learn(const Points& positions, double time)
+{
+  const double beyond = measured(positions).excess() - 1, safety = .2;
+  const double change = (beyond > 0 ? 1 + safety : 1 - safety) * beyond / time;
+  m_pace.retreat = (std::max)(0., m_pace.retreat + change);
 }
 
 }  // namespace Conformal_geometry_processing::internal

@@ -102,7 +102,7 @@ Relaxed_spins::Relaxed_spins(Dirac_system& system, Eigen::VectorXd rho, Spin_res
                            m_weights.sum() * nearness_weight(system.surface()) * system.areas())
                      : std::nullopt),
       m_residuals(with_nearness(std::move(residuals), m_nearness)),
-      m_metric(system, .1 / system.unit()),
+      m_metric(system, options.smoothness / system.unit()),
       m_preconditioner(system, m_residuals, m_weights.sum(), options.reuse),
       m_constants_are_free(system.is_self_adjoint()),
       m_wanted(std::move(rho)),

@@ -66,10 +66,10 @@ class Potential_metric {
 /// small weights W.
 ///
 /// The first term is what does not close up and what the mesh cannot represent, see `Dirac_misfit`.
-/// K is that of `Potential_metric` with s = R^2 / 10, R^2 = area / (4 pi). Where gamma is an
-/// eigenvalue, constants of rho' cost nothing, because they have no effect. All terms are numbers
-/// without a unit. Prescribed directions restrict lambda to their space; with a free boundary,
-/// there is a small weight of lambda - 1.
+/// K is that of `Potential_metric`; s is R^2 / 10 where not said otherwise, R^2 = area / (4 pi).
+/// Where gamma is an eigenvalue, constants of rho' cost nothing, because they have no effect. All
+/// terms are numbers without a unit. Prescribed directions restrict lambda to their space; with a
+/// free boundary, there is a small weight of lambda - 1.
 ///
 /// Each step solves the linear least-squares problem of the derivatives (Gauss-Newton): changes d
 /// of rho' are eliminated with the scalar H = K + (the sum of the weights) M, a bound of K + N^T W
@@ -86,7 +86,8 @@ class Relaxed_spins {
     Misfit_weights weights;
     double tolerance = 0.3;  ///< of conjugate gradients
     int max_iterations = 30;
-    double reuse = 0.2;  ///< the factor is kept while lambda has moved by less, in the mean
+    double smoothness = 0.1;  ///< s of K, by R^2
+    double reuse = 0.2;       ///< the factor is kept while lambda has moved by less, in the mean
   };
 
   struct Terms {
