@@ -1,6 +1,9 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/conformal_class/Class_equations.h>
+#include <Conformal_geometry_processing/operators/cotan_laplacian.h>
+#include <Conformal_geometry_processing/operators/vertex_graph.h>
 #include <Quaternionic_linear_algebra/algebra/Hermitian_sparse_matrix.h>
+#include <Quaternionic_linear_algebra/direct/Supernodal_cholesky.h>
 #include <Quaternionic_linear_algebra/exceptions.h>
 
 #include <gtest/gtest.h>
@@ -10,6 +13,7 @@
 #include "support/meshes.h"
 #include "support/moebius.h"
 #include "support/random.h"
+#include "support/spheres.h"
 #include "support/tori.h"
 
 #include <algorithm>
@@ -118,6 +122,28 @@ TEST(Class_form, is_the_square_of_the_change_of_the_residuals)
     const Eigen::VectorXd c = random_numbers(static_cast<int>(Jd.size()), 6);
     EXPECT_NEAR(form.right_hand_side(c).col(0).dot(d), -3 * c.dot(Jd), 1e-6 * Jd.squaredNorm());
   }
+}
+
+// L has the constants in its kernel, and rounding decides the sign of the last pivot.
+TEST(Factorize_definite, bears_what_rounding_makes_indefinite_and_nothing_worse)
+{
+  const Mesh_view mesh = icosphere(2);
+  CGP::Hermitian_sparse_matrix<double> L(CGP::vertex_graph(mesh));
+  CGP::assemble_cotan_laplacian(mesh, CGP::cotan_weights(mesh), L);
+  const int last = L.pattern().offsets[at(mesh.size_of_vertices() - 1)];
+  L.value(last) *= 1 - 1e-13;
+  CGP::Supernodal_cholesky<double> solver;
+  solver.analyze(L.pattern());
+  ASSERT_NE(solver.factorize(L, {}), CGP::Solver_status::success);
+  EXPECT_EQ(CGP::internal::factorize_definite(solver, L, 1), CGP::Solver_status::success);
+  CGP::Block<double> b = CGP::Block<double>::Zero(L.size(), 1), x;
+  b(0, 0) = 1;
+  b(1, 0) = -1;
+  ASSERT_EQ(solver.solve(b, x), CGP::Solver_status::success);
+  EXPECT_LT((L * Eigen::VectorXd(x.col(0)) - b.col(0)).norm(), 1e-6);
+  L.value(last) = -1;
+  EXPECT_EQ(CGP::internal::factorize_definite(solver, L, 1e-2),
+            CGP::Solver_status::not_positive_definite);
 }
 
 }  // namespace cgp_test::class_equations_tests

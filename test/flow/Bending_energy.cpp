@@ -1,8 +1,6 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/flow/Bending_energy.h>
 #include <Conformal_geometry_processing/measure/energies.h>
-#include <Conformal_geometry_processing/operators/cotan_laplacian.h>
-#include <Conformal_geometry_processing/operators/vertex_graph.h>
 
 #include <gtest/gtest.h>
 
@@ -101,27 +99,6 @@ TEST(Bending_matrix, is_the_second_derivative_of_the_energy_of_a_plane)
   EXPECT_GT(expected, 1);
   EXPECT_NEAR(Bending_energy(patch, f + t * d).value() / (t * t), expected, 1e-4 * expected);
   EXPECT_LT(energy.value(), 1e-20);
-}
-
-// L has the constants in its kernel, and rounding decides the sign of the last pivot.
-TEST(Factorize_fairing, bears_what_rounding_makes_indefinite_and_nothing_worse)
-{
-  const Mesh_view mesh = icosphere(2);
-  CGP::Hermitian_sparse_matrix<double> L(CGP::vertex_graph(mesh));
-  CGP::assemble_cotan_laplacian(mesh, CGP::cotan_weights(mesh), L);
-  const int last = L.pattern().offsets[at(mesh.size_of_vertices() - 1)];
-  L.value(last) *= 1 - 1e-13;
-  CGP::Supernodal_cholesky<double> solver;
-  solver.analyze(L.pattern());
-  ASSERT_NE(solver.factorize(L, {}), CGP::Solver_status::success);
-  CGP::internal::factorize_fairing(solver, L);
-  CGP::Block<double> b = CGP::Block<double>::Zero(L.size(), 1), x;
-  b(0, 0) = 1;
-  b(1, 0) = -1;
-  ASSERT_EQ(solver.solve(b, x), CGP::Solver_status::success);
-  EXPECT_LT((L * Eigen::VectorXd(x.col(0)) - b.col(0)).norm(), 1e-6);
-  L.value(last) = -1;
-  EXPECT_THROW(CGP::internal::factorize_fairing(solver, L), CGP::Solver_error);
 }
 
 }  // namespace cgp_test::bending_energy_tests

@@ -115,6 +115,19 @@ void internal::Class_form::linearize(const Points& f)
   }
 }
 
+// Rows of short edges are larger than others by many orders of magnitude: so is what is added.
+Solver_status internal::factorize_definite(Supernodal_cholesky<double>& solver,
+                                           const Hermitian_sparse_matrix<double>& A, double most)
+{
+  Eigen::VectorXd diagonal(A.size());
+  for (int j = 0; j < A.size(); ++j) diagonal[j] = std::abs(A.diagonal(j));
+  Solver_status status = solver.factorize(A, {});
+  for (double share = 1e-13; share < most && status == Solver_status::not_positive_definite;
+       share *= 100)
+    status = solver.factorize(A, share * diagonal);
+  return status;
+}
+
 // Of the diagonal, the pattern has the lower half; its block is the first of its columns.
 void internal::Class_form::add(int row, int column, const Eigen::Matrix4d& block)
 {

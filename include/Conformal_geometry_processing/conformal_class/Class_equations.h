@@ -55,6 +55,12 @@ class Edge_scales {
 };
 
 /// \ingroup PkgConformalClass
+/// \brief Factors a matrix of a least-squares problem; where rounding has made it indefinite, with
+/// a share of its diagonal in addition that mends it, smaller than `most`: a step is shorter then.
+Solver_status factorize_definite(Supernodal_cholesky<double>& solver,
+                                 const Hermitian_sparse_matrix<double>& A, double most);
+
+/// \ingroup PkgConformalClass
 /// \brief The quadratic form of a step (df, du) near the discrete conformal class of a mesh, with
 /// w |J (df, du)|^2 in it for the derivative J of the residuals of `Edge_scales`.
 ///

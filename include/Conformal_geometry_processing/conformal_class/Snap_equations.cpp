@@ -165,7 +165,8 @@ Solver_status internal::Snap_equations::factorize(const Linearization& at)
 {
   m_factorized = nullptr;
   assemble(at);
-  return m_solver.factorize(m_form.matrix(), {});
+  const double most = 1e-8;  // beyond, it is more damping that helps
+  return factorize_definite(m_solver, m_form.matrix(), most);
 }
 
 void internal::Snap_equations::assemble(const Linearization& at)

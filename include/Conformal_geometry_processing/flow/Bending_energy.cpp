@@ -136,16 +136,4 @@ void internal::Bending_matrix::find_pattern(int size)
   m_pattern = std::move(pattern);
 }
 
-void internal::factorize_fairing(Supernodal_cholesky<double>& solver,
-                                 const Hermitian_sparse_matrix<double>& A)
-{
-  Eigen::VectorXd diagonal(A.size());
-  for (int j = 0; j < A.size(); ++j) diagonal[j] = std::abs(A.diagonal(j));
-  Solver_status status = solver.factorize(A, {});
-  for (double share = 1e-12; share < 1 && status == Solver_status::not_positive_definite;
-       share *= 100)
-    status = solver.factorize(A, share * diagonal);
-  require_fairing_solver(status);
-}
-
 }  // namespace Conformal_geometry_processing

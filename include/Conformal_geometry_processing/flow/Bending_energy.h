@@ -5,7 +5,6 @@
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 #include <Quaternionic_linear_algebra/algebra/Hermitian_sparse_matrix.h>
 #include <Quaternionic_linear_algebra/dense/Solver_status.h>
-#include <Quaternionic_linear_algebra/direct/Supernodal_cholesky.h>
 #include <Quaternionic_linear_algebra/exceptions.h>
 
 #include <Eigen/Core>
@@ -111,10 +110,5 @@ inline void require_fairing_solver(Solver_status status)
 {
   if (status != Solver_status::success) throw Solver_error("conformal_fairing", to_string(status));
 }
-
-/// \brief factors A, with shares of its diagonal added where rounding at slivers has left it
-/// indefinite: the steps are shorter.
-void factorize_fairing(Supernodal_cholesky<double>& solver,
-                       const Hermitian_sparse_matrix<double>& A);
 
 }  // namespace Conformal_geometry_processing::internal

@@ -48,7 +48,7 @@ void internal::Class_fairing::factorize(const Bending_energy& energy)
     trace += 3 * K[first];
   }
   m_form.add_equations(relative_class_weight * trace / m_form.inverse_squared_lengths().sum());
-  factorize_fairing(m_solver, m_form.matrix());
+  require_fairing_solver(factorize_definite(m_solver, m_form.matrix(), 1));
 }
 
 internal::Class_fairing::State internal::Class_fairing::state_at(Points f, Eigen::VectorXd u) const

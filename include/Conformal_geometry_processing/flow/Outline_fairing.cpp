@@ -1,6 +1,7 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/flow/Outline_fairing.h>
 
+#include <Conformal_geometry_processing/conformal_class/Class_equations.h>
 #include <Conformal_geometry_processing/mesh/normals.h>
 #include <Conformal_geometry_processing/operators/cotan_laplacian.h>
 #include <Conformal_geometry_processing/operators/vertex_graph.h>
@@ -154,7 +155,7 @@ internal::Fairing_step internal::Outline_fairing::descend_from(const Points& rel
 {
   const Bending_energy energy(m_patch, relaxed);
   assemble(energy);
-  factorize_fairing(m_solver, m_matrix);
+  require_fairing_solver(factorize_definite(m_solver, m_matrix, 1));
   const Points d = descent(energy);
   Fairing_step next;
   for (double t = 1; halvings >= 0 && !next.is_lower; t /= 2, --halvings) {
