@@ -11,7 +11,9 @@
 #include "support/thin_faces.h"
 #include "support/tori.h"
 
+#include <array>
 #include <set>
+#include <vector>
 
 namespace cgp_test::simple_delaunay_tests {
 
@@ -40,6 +42,22 @@ TEST(Simple_delaunay, of_a_mesh_that_is_delaunay_is_the_mesh)
   for (const Mesh_view& mesh : {icosphere(2), torus(2, 1, 24, 12)}) {
     ASSERT_EQ(edges_that_are_not_delaunay(mesh), 0);
     EXPECT_EQ(simple_delaunay(mesh).corners(), mesh.corners());
+  }
+}
+
+// Chords that stand for edges along the surface are shorter: what is Delaunay by the ones need not
+// be by the others.
+TEST(Delaunay_by_chords, is_delaunay_by_its_own_edges)
+{
+  for (const Mesh_view& mesh :
+       {stretched(perturbed(icosphere(3), .04), 6), stretched(irregular_torus(2, 1, 24, 12), 5),
+        stretched(disk(6), 5)}) {
+    std::vector<std::array<int, 2>> flips, more;
+    const Mesh_view delaunay = CGP::internal::delaunay_by_chords(mesh, 0, flips);
+    EXPECT_GT(flips.size(), 50U);
+    EXPECT_EQ(edges_that_are_not_delaunay(delaunay), 0);
+    EXPECT_EQ(CGP::internal::delaunay_by_chords(delaunay, 0, more).corners(), delaunay.corners());
+    EXPECT_TRUE(more.empty());
   }
 }
 

@@ -4,6 +4,7 @@
 #include "option_groups.h"
 
 #include "conformal/input/boundary_condition.h"
+#include "conformal/input/delaunay_faces.h"
 #include "conformal/process/Failure.h"
 #include "conformal/process/text.h"
 #include "conformal/report/boundary_report.h"
@@ -30,7 +31,7 @@ const char* const flow_about =
     "the\n"
     "table has the mean and the deviation, and what of it they do not explain. On the faces of "
     "the\n"
-    "file no step leaves the limits.\n"
+    "file no step leaves the limits; with --connectivity delaunay these are others.\n"
     "Limbs, and what is behind a thin neck, become small, as conformal maps have it, unless\n"
     "--max-scale bounds lengths against the input: the flow then ends with the least energy that\n"
     "this admits.\n"
@@ -87,6 +88,10 @@ void add_options(CLI::App& command, Flow_options& flow, Common_options& common)
   add_choice(command, "--balance", flow.request.balance, {"none", "initial", "canonical"},
              "undoes drift of closed surfaces by sphere inversions: towards the initial areas, "
              "or those of the canonical metric (genus > 0)");
+  add_choice(command, "--connectivity", flow.connectivity, {"keep", "delaunay"},
+             "of what is written: that of the file, on whose faces no step leaves the limits, or "
+             "with edges flipped until it is Delaunay, on which the flow computes; the table tells "
+             "what either comes to");
   command
       .add_option("--every", flow.every,
                   "write every so many steps a snapshot, OUTPUT with the number of the step: "
@@ -150,11 +155,12 @@ Evidence evidence_of(const Flow_solution& solution, const CGP::Spin_report& step
 }
 
 /// what to try where a flow was stopped by what it met
-std::string easier_than(CGP::Flow_step_report::Stop stop)
+std::string easier_than(CGP::Flow_step_report::Stop stop, Connectivity connectivity)
 {
   using Stop = CGP::Flow_step_report::Stop;
-  if (stop == Stop::limits_reached)
-    return "a mesh without thin faces, fewer --steps, or a larger --limit";
+  const std::string flips =
+      connectivity == Connectivity::keep ? "--connectivity delaunay for thin faces, " : "";
+  if (stop == Stop::limits_reached) return flips + "fewer --steps, or a larger --limit";
   if (stop == Stop::scale_range) return "fewer --steps";
   return "--mollify for thin faces, fewer --steps, or a finer mesh";
 }
@@ -185,7 +191,7 @@ void conclude(const Flow_solution& solution, const CGP::Mesh_view& mesh,
   if (is_good && !solution.report.is_complete() && signal_received() == 0)
     verdict.fault = stopped_after(solution.report, options) +
                     "; the surface after the last of them is written; try: " +
-                    easier_than(solution.report.stop);
+                    easier_than(solution.report.stop, options.connectivity);
   const On_fault write = is_good ? On_fault::fail_in_the_end : On_fault::refuse;
   session.conclude(verdict, options.force ? On_fault::force : write);
   note_collapse(solution, mesh, session);
@@ -234,12 +240,29 @@ void require_no_snapshots(const Flow_options& options)
                   "the other; try: without --each-component");
 }
 
+/// Flips edges of the input where that is asked for, and tells which faces are others now.
+void connect(Surface_input& input, const Flow_options& options, Session& session)
+{
+  if (options.connectivity == Connectivity::keep) return;
+  const Delaunay_faces made =
+      make_delaunay(input, options.request.surface.mollification.value_or(0));
+  session.report().set("result/connectivity/flips", made.flips);
+  session.report().set("result/connectivity/face_before", made.face_before);
+  session.report().set("result/connectivity/changed_faces", made.changed);
+  if (made.flips == 0) return;
+  session.note(count_of(static_cast<std::size_t>(made.flips), "edge") +
+               " flipped: " + std::to_string(made.changed.size()) + " of " +
+               count_of(made.face_before.size(), "face") +
+               " have other corners, and the properties of the face in whose place they are");
+}
+
 void flow(const Flow_options& options, Session& session)
 {
   const bool is_whole = !session.options().each_component;
   require_writable(session.options().output);
-  const Surface_input input = read_suitable_surface(
-      options.input, session, flat_faces(options.request.surface.mollification));
+  Surface_input input = read_suitable_surface(options.input, session,
+                                              flat_faces(options.request.surface.mollification));
+  connect(input, options, session);
   if (!is_whole) require_no_snapshots(options);
   Transformed_surface surface{input.mesh.positions()};
   CGP::Flow_report report;

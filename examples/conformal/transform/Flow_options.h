@@ -9,12 +9,15 @@ namespace conformal {
 
 namespace CGP = Conformal_geometry_processing;
 
+enum class Connectivity { keep, delaunay };
+
 struct Flow_options {
   Flow_options() { request.max_steps = 10; }
 
   std::string input;
   CGP::Flow_options request;
   int every = 0;  ///< steps from a snapshot to the next; none if zero
+  Connectivity connectivity = Connectivity::keep;
   bool force = false;
 };
 

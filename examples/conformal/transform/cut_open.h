@@ -40,8 +40,8 @@ Cut_surface cut_along(Surface_file file, std::vector<Corner_fans::Edge> cuts);
 
 /// \brief Cuts closed components to disks, and for a flat metric those with a boundary, too, along
 /// the edges of the file; see `cut_graph()`.
-/// \throws Failure if a cone is not an inner vertex of such a component, or alone on a sphere, or if
-/// the angles of cones do not fit the surface
+/// \throws Failure if a cone is not an inner vertex of such a component, or alone on a sphere, or
+/// if the angles of cones do not fit the surface
 Cut_surface cut_open(const Surface_input& input, const Cut_options& options);
 
 }  // namespace conformal

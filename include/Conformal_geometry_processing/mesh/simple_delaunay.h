@@ -3,6 +3,9 @@
 
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 
+#include <array>
+#include <vector>
+
 namespace Conformal_geometry_processing::internal {
 
 /// \ingroup PkgMesh
@@ -15,7 +18,16 @@ namespace Conformal_geometry_processing::internal {
 /// \param mesh an oriented manifold with or without boundary
 /// \param mollification of the lengths by which edges are flipped, see `mollified_lengths()`; zero:
 /// none, and no edge has length zero
-Mesh_view simple_delaunay(const Mesh_view& mesh, double mollification = 0);
+/// \param flips receives the ends that each flipped edge had, in their order
+Mesh_view simple_delaunay(const Mesh_view& mesh, double mollification = 0,
+                          std::vector<std::array<int, 2>>* flips = nullptr);
+
+/// \ingroup PkgMesh
+/// \brief Likewise, Delaunay by its own edges: chords are shorter than what they stand for in the
+/// intrinsic triangulation, so it is flipped again until nothing changes (mostly two or three
+/// times).
+Mesh_view delaunay_by_chords(Mesh_view mesh, double mollification,
+                             std::vector<std::array<int, 2>>& flips);
 
 /// \ingroup PkgMesh
 /// \brief The mesh with vertices moved until all faces have an area, for algorithms on chords.
