@@ -156,12 +156,12 @@ TEST_F(Conformal_willmore_flow_of_a_Surface_mesh, writes_points_to_a_map)
   }
 }
 
-TEST_F(Conformal_willmore_flow_of_a_Surface_mesh, is_smoothed_within_its_class_unless_not_wanted)
+TEST_F(Conformal_willmore_flow_of_a_Surface_mesh, has_the_volume_that_is_wanted)
 {
   CGP::Flow_options options;
   options.max_steps = 3;
-  options.fairing = false;
-  EXPECT_EQ(flown(params::number_of_iterations(3).fairing(false)), expected(options));
+  options.reduced_volume = .9;
+  EXPECT_EQ(flown(params::number_of_iterations(3).reduced_volume(.9)), expected(options));
 }
 
 TEST_F(Conformal_willmore_flow_of_a_Surface_mesh,

@@ -39,7 +39,8 @@ Flow_options flow_options(const NamedParameters& np)
   o.balance = choose_parameter(get_parameter(np, internal_np::balance), o.balance);
   o.surface.exact_conformal_class = choose_parameter(
       get_parameter(np, internal_np::exact_conformal_class), o.surface.exact_conformal_class);
-  o.fairing = choose_parameter(get_parameter(np, internal_np::fairing), o.fairing);
+  if constexpr (has_parameter<NamedParameters, internal_np::reduced_volume_t>)
+    o.reduced_volume = get_parameter(np, internal_np::reduced_volume);
   o.surface.dirac = parameter_or(np, internal_np::dirac, o.surface.dirac);
   o.surface.dirac.random_seed = static_cast<unsigned>(choose_parameter(
       get_parameter(np, CGAL::internal_np::random_seed), o.surface.dirac.random_seed));
@@ -79,9 +80,10 @@ Flow_result flow_result(const Graph_view<TriangleMesh>& graph, const NamedParame
           internal_np::sparse_solver_t, internal_np::dirac_t, internal_np::time_step_t,
           internal_np::tolerance_t, internal_np::filter_t, internal_np::balance_t,
           internal_np::vertex_target_area_map_t, internal_np::exactness_t,
-          internal_np::exact_conformal_class_t, internal_np::fairing_t, internal_np::scale_bound_t,
-          internal_np::mollification_t, internal_np::curvature_direction_t,
-          internal_np::boundary_direction_t, internal_np::boundary_direction_map_t>,
+          internal_np::exact_conformal_class_t, internal_np::reduced_volume_t,
+          internal_np::scale_bound_t, internal_np::mollification_t,
+          internal_np::curvature_direction_t, internal_np::boundary_direction_t,
+          internal_np::boundary_direction_map_t>,
       "conformal_willmore_flow(): unknown named parameter, see the manual for those it accepts");
   Flow_options options = flow_options(np);
   read_target_areas(graph, np, options);
@@ -112,7 +114,7 @@ Flow_result flow_result(const Graph_view<TriangleMesh>& graph, const NamedParame
 /// length cross-ratios are kept to 1e-10 where double precision allows. So errors of the steps do
 /// not add up, surfaces with handles keep their conformal type, and boundaries their first tangents
 /// or binormals. `exact_conformal_class(false)` is the flow of the thesis, without this and without
-/// smoothing.
+/// smoothing; `Flow_options::fairing` switches off smoothing alone.
 ///
 /// Long thin limbs would have to shrink to nothing: where that is beyond the limits of a conformal
 /// map, or no step is possible, the flow stops with the last surface within them, and reports the
@@ -182,11 +184,13 @@ Flow_result flow_result(const Graph_view<TriangleMesh>& graph, const NamedParame
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`true`}
 ///   \cgalParamNEnd
-///   \cgalParamNBegin{fairing}
-///     \cgalParamDescription{whether each step on the exact class begins with smoothing within it;
-///                           without effect with a filter, or a direction that has no energy}
-///     \cgalParamType{`bool`}
-///     \cgalParamDefault{`true`}
+///   \cgalParamNBegin{reduced_volume}
+///     \cgalParamDescription{the volume, by that of the round sphere of the same area, that a
+///     closed
+///                           surface keeps, or reaches by a twentieth in a step: see `Enclosure`.
+///                           The shapes of least energy are those of vesicles}
+///     \cgalParamType{`double`, above 0 and up to 1, or `std::nullopt`}
+///     \cgalParamDefault{none: the volume is free}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{scale_bound}
 ///     \cgalParamDescription{the largest factor by which lengths may differ from those of the

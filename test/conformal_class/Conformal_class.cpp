@@ -7,6 +7,7 @@
 
 #include <Eigen/Geometry>
 
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -209,6 +210,44 @@ TEST(Conformal_class, is_not_reached_from_a_surface_that_has_collapsed)
   const Mesh_view mesh = icosphere(1);
   Points f = Points::Zero(3, mesh.size_of_vertices());
   EXPECT_THROW((void)Conformal_class(mesh).snap(f), CGP::Solver_error);
+}
+
+/// the logarithm of the distance of two points by that of two others, minus a wanted one
+CGP::internal::Global_equation ratio(const std::array<int, 4>& v, double wanted)
+{
+  const auto value = [v, wanted](const Points& f) {
+    return std::log((f.col(v[1]) - f.col(v[0])).norm() / (f.col(v[3]) - f.col(v[2])).norm()) -
+           wanted;
+  };
+  const auto gradient = [v](const Points& f) {
+    Points g = Points::Zero(3, f.cols());
+    const Eigen::Vector3d a = f.col(v[1]) - f.col(v[0]), b = f.col(v[3]) - f.col(v[2]);
+    g.col(v[1]) += a / a.squaredNorm(), g.col(v[0]) -= a / a.squaredNorm();
+    g.col(v[3]) -= b / b.squaredNorm(), g.col(v[2]) += b / b.squaredNorm();
+    return g;
+  };
+  return {value, gradient};
+}
+
+TEST(Conformal_class, meets_an_equation_beside_it)
+{
+  for (const Mesh_view& mesh : surfaces()) {
+    const int n = mesh.size_of_vertices();
+    const std::array<int, 4> v{0, n / 2, n / 3, n - 1};
+    const Points before = stretched(mesh, 1.02);
+    const Points without = snapped(mesh, before);
+    for (const double more : {0., .03}) {
+      const auto equation = ratio(v, ratio(v, 0).residual(without) + more);
+      Conformal_class same(mesh);
+      same.keep(equation);
+      Points f = before;
+      EXPECT_TRUE(same.snap(f).converged);
+      EXPECT_NEAR(equation.residual(f), 0, 1e-10);
+      EXPECT_LT(change(mesh, f), 1e-9);
+      const double moved = (f - without).cwiseAbs().maxCoeff();
+      EXPECT_LT(moved, 2 * more * mesh.positions().cwiseAbs().maxCoeff() + 1e-3);
+    }
+  }
 }
 
 }  // namespace cgp_test::conformal_class_tests

@@ -27,7 +27,7 @@ struct Directed {
   Directed(const Mesh_view& mesh_, Direction direction, const CGP::Flow_options& options = {})
       : mesh(mesh_),
         transformation(mesh),
-        constrained(transformation, direction, options, "f"),
+        constrained(transformation, direction, options, nullptr, "f"),
         areas(CGP::vertex_areas(mesh))
   {}
   auto operator()() { return constrained(mesh); }

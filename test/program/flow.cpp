@@ -120,6 +120,39 @@ TEST_F(Flow, says_once_that_it_takes_long)
   }
 }
 
+TEST_F(Flow, keeps_a_volume_or_leads_to_it)
+{
+  const auto long_sphere = cgp_test::mapped(cgp_test::icosphere(2), [](const Eigen::Vector3d& p) {
+    return Eigen::Vector3d(p.x(), p.y(), 1.8 * p.z());
+  });
+  write("a.off", off(long_sphere));
+  ASSERT_EQ(run("flow a.off --steps 40 --reduced-volume keep -o b.ply --json b.json").code, 0);
+  const auto kept = json("b.json")["result"]["reduced_volume"];
+  EXPECT_NEAR(kept["final"], kept["initial"], 1e-9);
+  EXPECT_LT(kept["final"], .95);
+  const Program_run r = run("flow a.off --steps 40 --reduced-volume .85 -o b.ply --json b.json");
+  ASSERT_EQ(r.code, 0) << r.err;
+  EXPECT_NE(r.out.find("reduced volume"), std::string::npos) << r.out;
+  const auto result = json("b.json")["result"];
+  EXPECT_NEAR(result["reduced_volume"]["final"], .85, 1e-9);
+  const double area = result["area"]["final"], volume = result["volume"]["final"];
+  EXPECT_NEAR(6 * std::sqrt(std::acos(-1.)) * volume / std::pow(area, 1.5), .85, 1e-9);
+  EXPECT_TRUE(fails(run("flow a.off --steps 1 --reduced-volume .5 -o b.ply"), 1, "not yet 0.5"));
+}
+
+TEST_F(Flow, takes_a_volume_that_a_closed_surface_has)
+{
+  write("a.off", off(cgp_test::icosphere(1)));
+  write("disk.off", off(cgp_test::disk(2)));
+  for (const char* volume : {"0", "-.5", "1.01", "small", "nan"})
+    EXPECT_TRUE(fails(run(std::string("flow a.off -o b.ply --reduced-volume ") + volume), 2,
+                      "above 0 and up to 1"));
+  EXPECT_TRUE(fails(run("flow disk.off -o b.ply --reduced-volume .5"), 4, "closed"));
+  EXPECT_TRUE(fails(run("flow a.off -o b.ply --plain --reduced-volume .5"), 2, "--plain"));
+  EXPECT_TRUE(
+      fails(run("flow a.off -o b.ply --balance initial --reduced-volume .5"), 2, "--balance"));
+}
+
 TEST_F(Flow, says_in_words_why_it_stops_early)
 {
   write("round.off", off(cgp_test::icosphere(3)));

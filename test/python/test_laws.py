@@ -98,6 +98,17 @@ def test_the_flow_makes_spheres_round():
     assert np.array_equal(again.positions, result.positions)
 
 
+def test_the_flow_keeps_a_volume():
+    start = V * [1, 1, 1.8]
+    report = cg.willmore_flow(start, F, reduced_volume=.85, max_steps=40).report
+    assert report and report.missing_volume == pytest.approx(0, abs=1e-9)
+    assert report.enclosure.reduced_volume == pytest.approx(.85, abs=1e-9)
+    volume = np.einsum("ij,ij->", start[F[:, 0]], np.cross(start[F[:, 1]], start[F[:, 2]])) / 6
+    assert report.initial_enclosure.volume == pytest.approx(volume, rel=1e-12)
+    less = cg.willmore_flow(start, F, reduced_volume=.5, max_steps=1).report
+    assert not less and less.fault == "the prescribed volume is not reached"
+
+
 def test_the_flow_stops_where_a_callback_says():
     start = V * [1, 1, 1.5]
     result = cg.willmore_flow(start, F, callback=lambda step, points: False)

@@ -15,10 +15,14 @@
 #include "conformal/transform/write_result.h"
 
 #include <Conformal_geometry_processing/flow/Conformal_willmore_flow.h>
+#include <Conformal_geometry_processing/measure/Enclosure.h>
 #include <Conformal_geometry_processing/measure/distortion.h>
 #include <Conformal_geometry_processing/mesh/topology.h>
 
 #include <cmath>
+#include <cstdlib>
+#include <optional>
+#include <string>
 
 namespace conformal {
 namespace {
@@ -46,6 +50,29 @@ const char* const flow_about =
     "once.\n"
     "A result that does not verify is not written.\n"
     "Example: conformal flow bear.off -o bear_flow.ply --html bear.html";
+
+const double keep_volume = 0;  // that of the input
+
+void add_reduced_volume(CLI::App& command, std::optional<double>& volume)
+{
+  const auto read = [&volume](const std::string& text) {
+    volume = text == "keep" ? keep_volume : std::strtod(text.c_str(), nullptr);
+  };
+  const auto is_volume = [](const std::string& text) {
+    char* end = nullptr;
+    const double v = std::strtod(text.c_str(), &end);
+    const bool is_good = text == "keep" || (*end == 0 && v > 0 && v <= 1);
+    return is_good ? std::string() : "a number above 0 and up to 1, or keep, is needed: " + text;
+  };
+  command
+      .add_option_function<std::string>(
+          "--reduced-volume", read,
+          "volume of a closed surface by that of the round sphere of the same area, which the flow "
+          "leads to by a twentieth in a step; or keep, that of the input: ends at shapes of "
+          "vesicles, as red blood cells are")
+      ->check(CLI::Validator(is_volume, "0 < FLOAT <= 1 or keep"))
+      ->excludes("--plain");
+}
 
 void add_options(CLI::App& command, Flow_options& flow, Common_options& common)
 {
@@ -80,6 +107,7 @@ void add_options(CLI::App& command, Flow_options& flow, Common_options& common)
       "no smoothing within the conformal class, curvature flow only");
   add_max_scale(command, surface.scales.bound,
                 ", against the input: limbs, and what is behind a thin neck, become no smaller");
+  add_reduced_volume(command, flow.request.reduced_volume);
   add_boundary(command, surface.boundary);
   add_mollification(command, surface.mollification,
                     "; without --plain no edge becomes longer: vertices of faces that are still "
@@ -87,7 +115,8 @@ void add_options(CLI::App& command, Flow_options& flow, Common_options& common)
   add_period_defect(command, surface.max_period_defect);
   add_choice(command, "--balance", flow.request.balance, {"none", "initial", "canonical"},
              "undoes drift of closed surfaces by sphere inversions: towards the initial areas, "
-             "or those of the canonical metric (genus > 0)");
+             "or those of the canonical metric (genus > 0)")
+      ->excludes("--reduced-volume");
   add_choice(command, "--connectivity", flow.connectivity, {"keep", "delaunay"},
              "of what is written: that of the file, on whose faces no step leaves the limits, or "
              "with edges flipped until it is Delaunay, on which the flow computes; the table tells "
@@ -109,6 +138,8 @@ Files files(const Flow_options& flow)
 void require_options_that_fit(const Surface_input& input, const Flow_options& options)
 {
   require_boundary_to_keep(input, options.request.surface.boundary);
+  if (options.request.reduced_volume && !CGP::topology(input.mesh).is_closed())
+    throw unsuitable(options.input, "--reduced-volume wants a closed surface; try: without it");
   using Balance = CGP::Flow_options::Balance;
   if (options.request.balance == Balance::none) return;
   const auto topology = CGP::topology(input.mesh);
@@ -162,6 +193,7 @@ std::string easier_than(CGP::Flow_step_report::Stop stop, Connectivity connectiv
       connectivity == Connectivity::keep ? "--connectivity delaunay for thin faces, " : "";
   if (stop == Stop::limits_reached) return flips + "fewer --steps, or a larger --limit";
   if (stop == Stop::scale_range) return "fewer --steps";
+  if (stop == Stop::steps_done) return "more --steps";
   return "--mollify for thin faces, fewer --steps, or a finer mesh";
 }
 
@@ -220,6 +252,8 @@ Flow_solution flowed(const Surface_input& input, const Flow_options& options, Se
   require_options_that_fit(input, options);
   CGP::Flow_options request = options.request;
   if (options.force) request.surface.limits.map = {HUGE_VAL, HUGE_VAL, HUGE_VAL};
+  if (request.reduced_volume == keep_volume)
+    request.reduced_volume = CGP::enclosure(input.mesh).reduced_volume;
   Flow_watch watch(input, options, session);
   CGP::Conformal_willmore_flow flow(input.mesh, request, {}, "flow");
   Flow_solution solution{{}, flow.run(watch)};

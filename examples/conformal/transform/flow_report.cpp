@@ -98,6 +98,19 @@ void tell_mean_curvature(const CGP::Mesh_view& mesh, double direction_norm, Repo
                 unexplained, 3);
 }
 
+void tell_enclosure(const CGP::Flow_report& flow, Report& report)
+{
+  const CGP::Enclosure &before = flow.initial_enclosure, &after = flow.enclosure;
+  report.set("result/area/initial", before.area);
+  report.set("result/area/final", after.area);
+  report.set("result/volume/initial", before.volume);
+  report.set("result/volume/final", after.volume);
+  report.set("result/reduced_volume/initial", before.reduced_volume);
+  report.set("result/reduced_volume/final", after.reduced_volume);
+  report.show("reduced volume",
+              text_of(before.reduced_volume) + " to " + text_of(after.reduced_volume));
+}
+
 void tell_shape(const Flow_solution& solution, const CGP::Mesh_view& initial, Report& report)
 {
   const CGP::Flow_report& flow = solution.report;
@@ -106,6 +119,7 @@ void tell_shape(const Flow_solution& solution, const CGP::Mesh_view& initial, Re
   report.show("energy / 4 pi", from_to(flow.initial_energy_of_faces, flow.energy_of_faces));
   const CGP::Mesh_view last(solution.positions, initial.corners());
   const auto topology = CGP::topology(initial);
+  if (topology.is_closed()) tell_enclosure(flow, report);
   if (!topology.is_closed()) tell_mean_curvature(last, flow.direction_norm, report);
   if (!topology.is_sphere()) return;
   const Radius r = radius(last);
@@ -145,6 +159,10 @@ void tell_class(const CGP::Flow_report& flow, const CGP::Mesh_view& initial, Rep
 std::string reason(const CGP::Flow_report& report)
 {
   if (report.stop == CGP::Flow_step_report::Stop::cancelled) return "interrupted";
+  const CGP::Enclosure& last = report.enclosure;
+  if (!report.has_volume())
+    return "the reduced volume is " + text_of(last.reduced_volume) + ", not yet " +
+           text_of(last.reduced_volume * std::exp(report.missing_volume));
   const std::string words = CGP::to_string(report.stop);
   return report.message.empty() ? words : words + " (" + report.message + ")";
 }

@@ -25,6 +25,7 @@ CGP::Flow_options flow_options(const py::dict& options, const CGP::Mesh_view& me
   take(options, "energy_tolerance", o.energy_tolerance);
   take(options, "fairing", o.fairing);
   take(options, "max_scale", o.surface.scales.bound);
+  take(options, "reduced_volume", o.reduced_volume);
   take(options, "filter_weight", o.filter_weight);
   take(options, "filter_order", o.filter_order);
   take(options, "random_seed", o.surface.dirac.random_seed);

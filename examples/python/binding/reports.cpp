@@ -50,6 +50,11 @@ py::dict as_dict(const CGP::Spin_report::Scales& s)
                   "kept_correlation"_a = s.kept_correlation);
 }
 
+py::dict as_dict(const CGP::Enclosure& e)
+{
+  return py::dict("area"_a = e.area, "volume"_a = e.volume, "reduced_volume"_a = e.reduced_volume);
+}
+
 py::dict as_dict(const CGP::Realised_curvature& r)
 {
   return py::dict("share"_a = r.share, "correlation"_a = r.correlation, "distance"_a = r.distance,
@@ -101,6 +106,7 @@ std::string reason(CGP::Flow_step_report::Stop stop, const std::string& message)
 py::object fault_of(const CGP::Flow_report& r)
 {
   if (r) return py::none();
+  if (!r.has_volume()) return py::str("the prescribed volume is not reached");
   if (!r.is_complete()) return py::str(reason(r.stop, r.message));
   if (r.map_fault() != CGP::Conformality::Fault::none) return py::str(to_string(r.map_fault()));
   return py::str(r.conformal_type_change <= r.max_conformal_type_change
@@ -188,9 +194,11 @@ py::dict as_dict(const CGP::Flow_report& r)
       "energy"_a = r.energy, "initial_energy_of_faces"_a = r.initial_energy_of_faces,
       "energy_of_faces"_a = r.energy_of_faces, "conformality"_a = as_dict(r.conformality),
       "conformality_of_faces"_a = as_dict(r.conformality_of_faces),
-      "direction_norm"_a = r.direction_norm, "scales"_a = as_dict(r.scales),
-      "bounded_steps"_a = r.bounded_steps, "conformal_type_change"_a = r.conformal_type_change,
-      "period_defect"_a = r.period_defect, "seconds"_a = r.seconds);
+      "initial_enclosure"_a = as_dict(r.initial_enclosure), "enclosure"_a = as_dict(r.enclosure),
+      "missing_volume"_a = r.missing_volume, "direction_norm"_a = r.direction_norm,
+      "scales"_a = as_dict(r.scales), "bounded_steps"_a = r.bounded_steps,
+      "conformal_type_change"_a = r.conformal_type_change, "period_defect"_a = r.period_defect,
+      "seconds"_a = r.seconds);
 }
 
 py::dict as_dict(const CGP::Parameterization_report& r)

@@ -22,13 +22,20 @@ void internal::Conformal_class::keep(Rim_directions rim)
   m_equations.keep(m_rim);
 }
 
+void internal::Conformal_class::keep(Global_equation equation)
+{
+  m_global = equation;
+  m_equations.keep(std::move(equation));
+}
+
 Eigen::VectorXd internal::Conformal_class::residuals(const Points& f,
                                                      const Eigen::VectorXd& u) const
 {
   const Eigen::VectorXd of_edges = m_equations.scales().residuals(f, u),
                         of_rim = m_rim.residuals(f);
-  Eigen::VectorXd all(of_edges.size() + of_rim.size());
-  all << of_edges, of_rim;
+  Eigen::VectorXd all(of_edges.size() + of_rim.size() + m_global.has_value());
+  all.head(of_edges.size() + of_rim.size()) << of_edges, of_rim;
+  if (m_global) all[all.size() - 1] = m_global->residual(f);
   return all;
 }
 

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <utility>
 
 namespace Conformal_geometry_processing::internal {
@@ -54,6 +55,9 @@ class Conformal_class {
   /// sets the directions at the boundary that snaps keep beside the class; at first there are none
   void keep(Rim_directions rim);
 
+  /// sets the equation that snaps meet beside the class; at first there is none
+  void keep(Global_equation equation);
+
   /// \brief Moves a surface into the class by Gauss-Newton steps of least change, see
   /// `Snap_equations`; a step that does not lower the residuals is halved.
   ///
@@ -92,10 +96,11 @@ class Conformal_class {
   /// \returns false where no further one is of use
   bool iterate(State& state, const Snap_options& options, Snap_report& report);
 
-  /// of the edges, and of the rim
+  /// of the edges, of the rim, and of the global equation
   Eigen::VectorXd residuals(const Points& f, const Eigen::VectorXd& u) const;
 
   Rim_directions m_rim;
+  std::optional<Global_equation> m_global;
   Snap_equations m_equations;
 };
 

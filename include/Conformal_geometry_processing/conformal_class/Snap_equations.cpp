@@ -114,6 +114,12 @@ void internal::Snap_equations::keep(Rim_directions rim)
   m_rim = std::move(rim);
 }
 
+void internal::Snap_equations::keep(Global_equation equation)
+{
+  if (!m_global) m_state.last = m_factorized = nullptr;
+  m_global = std::move(equation);
+}
+
 bool internal::Snap_equations::damp()
 {
   if (m_state.eps >= largest_snap_eps) return false;
@@ -166,7 +172,17 @@ Solver_status internal::Snap_equations::factorize(const Linearization& at)
   m_factorized = nullptr;
   assemble(at);
   const double most = 1e-8;  // beyond, it is more damping that helps
-  return factorize_definite(m_solver, m_form.matrix(), most);
+  const Solver_status status = factorize_definite(m_solver, m_form.matrix(), most);
+  if (m_global && status == Solver_status::success) solve_global(m_global->gradient(at.f));
+  return status;
+}
+
+void internal::Snap_equations::solve_global(const Points& gradient)
+{
+  Eigen::Matrix4Xd g = Eigen::Matrix4Xd::Zero(4, gradient.cols());
+  g.topRows<3>() = gradient;
+  m_global_gradient = g.reshaped();
+  require_snap(m_solver.solve(m_global_gradient, m_global_response));
 }
 
 void internal::Snap_equations::assemble(const Linearization& at)
@@ -215,6 +231,10 @@ void internal::Snap_equations::solve(const Eigen::VectorXd& c, Points& df,
       b.block<3, 1>(4 * m_rim_rows[k].vertices[static_cast<std::size_t>(v)], 0) -=
           c[edges + static_cast<Eigen::Index>(k)] * m_rim_rows[k].gradients.col(v);
   require_snap(m_solver.solve(b, d));
+  if (m_global) {
+    const double rest = c[c.size() - 1] + m_global_gradient.col(0).dot(d.col(0));
+    d -= rest / m_global_gradient.col(0).dot(m_global_response.col(0)) * m_global_response;
+  }
   const auto at_vertices = d.col(0).reshaped(4, d.rows() / 4);
   df = at_vertices.topRows<3>();
   du = at_vertices.row(3);

@@ -8,7 +8,9 @@
 #include <Eigen/Core>
 
 #include <array>
+#include <functional>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -52,12 +54,21 @@ class Rim_directions {
 };
 
 /// \ingroup PkgConformalClass
+/// \brief One equation for all positions, such as that of an enclosed volume. Motions of the
+/// surface must have no effect.
+struct Global_equation {
+  std::function<double(const Points&)> residual;
+  std::function<Points(const Points&)> gradient;  ///< 3 x |V|
+};
+
+/// \ingroup PkgConformalClass
 /// \brief The smallest change (df, du) of a surface and its log scales that removes given residuals
 /// of `Edge_scales` and `Rim_directions`, to first order.
 ///
 /// Minimizes eps G(d) + |c + J d|^2, with G(d) = sum |df_j - df_i|^2 / |f_j - f_i|^2 + .01 |du|^2,
 /// a `Class_form` on the vertex graph. G does not see translations: the first vertex of each
-/// component is held, which changes the solution by a translation only.
+/// component is held, which changes the solution by a translation only. A `Global_equation`, whose
+/// derivative is dense, is met exactly.
 ///
 /// On isothermic surfaces, such as spheres, J loses rank, and a large eps converges slowly. Where
 /// edges differ in length by many orders of magnitude, a small one drowns in rounding.
@@ -85,6 +96,9 @@ class Snap_equations {
   /// adds the residuals of a rim, from the next factorization
   void keep(Rim_directions rim);
 
+  /// adds an equation, from the next factorization
+  void keep(Global_equation equation);
+
   /// \brief Linearizes at f and factors the matrix, damped until it is positive definite.
   /// \throw Solver_error if that fails, or an edge has no length
   void factorize(const Points& f);
@@ -110,7 +124,7 @@ class Snap_equations {
   void set_damping(double eps) { m_state.eps = eps; }
 
   /// \brief Solves with the last factor and the J of that surface.
-  /// \param c the residuals: |E|, and those of the rim
+  /// \param c the residuals: |E|, those of the rim, and that of the global equation
   /// \param df 3 x |V|, mean zero on each component; du |V|
   /// \throw Solver_error if the solution is not finite
   void solve(const Eigen::VectorXd& c, Points& df, Eigen::VectorXd& du) const;
@@ -120,6 +134,7 @@ class Snap_equations {
   Solver_status factorize(const Linearization& at);
   void assemble(const Linearization& at);
   void add_rim_row(const Rim_directions::Row& row);
+  void solve_global(const Points& gradient);
   void center(Points& df) const;
 
   std::vector<int> m_components;  // of the vertices
@@ -127,6 +142,8 @@ class Snap_equations {
   Supernodal_cholesky<double> m_solver;
   Rim_directions m_rim;
   std::vector<Rim_directions::Row> m_rim_rows;
+  std::optional<Global_equation> m_global;
+  Block<double> m_global_gradient, m_global_response;  // what the factor makes of the gradient
   State m_state;
   std::shared_ptr<const Linearization> m_factorized;  // that of the factor
 };

@@ -41,7 +41,7 @@
   X(tolerance)                                          \
   X(exactness)                                          \
   X(exact_conformal_class)                              \
-  X(fairing)                                            \
+  X(reduced_volume)                                     \
   X(limits)                                             \
   X(sparse_solver)                                      \
   X(filter)                                             \

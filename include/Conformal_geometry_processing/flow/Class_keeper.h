@@ -11,6 +11,7 @@
 
 #include <functional>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace Conformal_geometry_processing::internal {
@@ -89,6 +90,9 @@ class Class_keeper {
   /// \param boundary a condition without positions
   /// \throw Solver_error if an analysis fails
   explicit Class_keeper(const Mesh_view& initial, const Boundary_condition& boundary = {});
+
+  /// sets what surfaces meet beside the class from now on
+  void keep(Global_equation equation) { m_class.keep(std::move(equation)); }
 
   /// \brief moves positions into the class, up to changes of log length cross-ratios of 1e-3, and
   /// of 1e-5 where a few more steps suffice; keeps their directions at the boundary.

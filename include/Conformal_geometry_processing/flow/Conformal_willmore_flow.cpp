@@ -64,7 +64,9 @@ Conformal_willmore_flow::Conformal_willmore_flow(const Mesh_view& mesh, const Fl
       m_next(m_initial),
       m_faces(other_faces()),
       m_transformation(m_initial, transformation_options(m_initial, options), m_function),
-      m_direction(m_transformation, std::move(direction), options, m_function),
+      m_volume(volume_constraint()),
+      m_direction(m_transformation, std::move(direction), options, m_volume ? &*m_volume : nullptr,
+                  m_function),
       m_balance(m_initial, options, m_transformation, m_function),
       m_initial_energy(energy_of(m_initial)),
       m_energy(m_initial_energy),
@@ -77,7 +79,8 @@ Conformal_willmore_flow::Conformal_willmore_flow(const Mesh_view& mesh, const Fl
 {
   if (options.surface.scales.bound) m_scale_bound.emplace(m_initial, *options.surface.scales.bound);
   if (options.surface.exact_conformal_class) m_class.emplace(m_initial, options.surface.boundary);
-  if (m_faces && !options.surface.mollification && boundary_loops(mesh).empty()) make_filter();
+  if (m_faces && !options.surface.mollification && !m_volume && boundary_loops(mesh).empty())
+    make_filter();
   if (!options.surface.mollification) return;
   m_well_shaped = well_shaped_part(m_initial);
   if (m_class) m_mollification = mollification_on_class();
@@ -128,20 +131,24 @@ Mesh_view Conformal_willmore_flow::in_frame(const Mesh_view& mesh)
   return framed;
 }
 
-void Conformal_willmore_flow::find_time_step(const Eigen::VectorXd& v, Flow_step_report& report,
-                                             const Go_further& go_further)
+void Conformal_willmore_flow::find_time_step(
+    const internal::Constrained_direction::Result& direction, Flow_step_report& report,
+    const Go_further& go_further)
 {
+  const bool was_filling = is_filling();
   const double first = m_time_step.value();
   const Eigen::VectorXd back = m_direction.exact_part(m_balance.potential(m_mesh));
   for (int slight_rises = 0; !report.accepted && report.stop == Flow_step_report::Stop::none;) {
     const double tau = report.time_step = m_time_step.value();
     ++report.trials;
-    const Verdict verdict = try_step(tau * v + tau / first * back, report, go_further);
+    const double filled = keep_volume(tau / m_options.time_step);
+    const Verdict verdict = try_step(
+        tau * direction.v + tau / first * back + filled * direction.filling, report, go_further);
     slight_rises += verdict == Verdict::rises_slightly;
     if (verdict == Verdict::cancelled)
       report.stop = Flow_step_report::Stop::cancelled;
     else if (verdict == Verdict::good)
-      accept(report);
+      accept(report, was_filling);
     else if (!m_options.backtracking)
       report.stop = verdict == Verdict::out_of_limits ? Flow_step_report::Stop::limits_reached
                                                       : Flow_step_report::Stop::step_failed;
@@ -256,9 +263,25 @@ bool Conformal_willmore_flow::falls_at_boundary(const Flow_step_report& report) 
   return keeps_directions() && report.direction_norm_after < enough * report.direction_norm;
 }
 
+double Conformal_willmore_flow::keep_volume(double time)
+{
+  if (!m_volume) return 0;
+  const Points& f = m_mesh.positions();
+  const double change = m_volume->change(f, time);
+  m_class->keep(m_volume->equation(f, change));
+  return change;
+}
+
+bool Conformal_willmore_flow::is_filling() const
+{
+  return m_volume &&
+         std::abs(m_volume->distance(m_mesh.positions())) > Flow_report::max_missing_volume;
+}
+
 double Conformal_willmore_flow::forbidden_rise() const
 {
-  const bool may_rise = !m_options.backtracking || !m_direction.unconstrained().has_energy();
+  const bool may_rise =
+      !m_options.backtracking || !m_direction.unconstrained().has_energy() || is_filling();
   return may_rise ? HUGE_VAL : turning_angle() * (std::max)(m_energy, internal::energy_of_spheres);
 }
 
@@ -317,18 +340,19 @@ auto Conformal_willmore_flow::move_on(double energy, const Conformality::Limits&
   return Verdict::good;
 }
 
-void Conformal_willmore_flow::accept(Flow_step_report& report)
+void Conformal_willmore_flow::accept(Flow_step_report& report, bool was_filling)
 {
   ++m_steps;
   report.accepted = true;
   report.energy = m_energy;
   report.energy_of_faces = energy_of_faces(positions());
   report.message.clear();
+  if (was_filling) m_energy_of_input = report.energy_of_faces;  // that of another volume
   m_is_bounded = report.is_bounded;
   if (m_class) judge_boundary(report.spin);
   m_time_step.grow();
   const double change = report.energy - report.energy_before;
-  if (m_direction.unconstrained().has_energy() && !falls_at_boundary(report) &&
+  if (m_direction.unconstrained().has_energy() && !falls_at_boundary(report) && !is_filling() &&
       is_small(change, fairs() ? 1 : report.time_step))
     report.stop = Flow_step_report::Stop::energy_settled;
 }

@@ -9,6 +9,7 @@
 #include <Conformal_geometry_processing/flow/Flow_options.h>
 #include <Conformal_geometry_processing/flow/Flow_report.h>
 #include <Conformal_geometry_processing/flow/Scale_bound.h>
+#include <Conformal_geometry_processing/flow/Volume_constraint.h>
 #include <Conformal_geometry_processing/measure/Conformality.h>
 #include <Conformal_geometry_processing/measure/energies.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
@@ -267,6 +268,9 @@ class Conformal_willmore_flow {
                             const std::string& function);
   bool fairs() const;
 
+  /// none if the volume is free
+  std::optional<internal::Volume_constraint> volume_constraint() const;
+
   // A single type for all visitors, so that the eigensolver is compiled only once.
   using Go_further = std::function<bool(const Eigensolver_progress&)>;
 
@@ -296,8 +300,8 @@ class Conformal_willmore_flow {
   static Conformality map_to(const Mesh_view& measured, const Points& positions);
 
   /// Tries time steps until one is accepted or none is left.
-  void find_time_step(const Eigen::VectorXd& v, Flow_step_report& report,
-                      const Go_further& go_further);
+  void find_time_step(const internal::Constrained_direction::Result& direction,
+                      Flow_step_report& report, const Go_further& go_further);
 
   /// Transforms the surface; adopts the result if it is acceptable.
   Verdict try_step(const Eigen::VectorXd& rho, Flow_step_report& report,
@@ -327,6 +331,13 @@ class Conformal_willmore_flow {
   }
   bool is_turning() const { return turning_angle() > 0.01; }
 
+  /// asks the way to the class for the volume after a step of `time`; returns the change of its
+  /// logarithm, zero without a `Volume_constraint`
+  double keep_volume(double time);
+
+  /// whether the surface still has to reach the prescribed volume
+  bool is_filling() const;
+
   /// whether the surface stays on its class, and its boundary keeps directions
   bool keeps_directions() const;
 
@@ -355,7 +366,7 @@ class Conformal_willmore_flow {
   /// may fail before the first change.
   Verdict move_on(double energy, const Conformality::Limits& limits, Flow_step_report& report);
   Conformality::Limits spin_limits() const;
-  void accept(Flow_step_report& report);
+  void accept(Flow_step_report& report, bool was_filling);
 
   std::string m_function;
   internal::Visit_guard m_visits;
@@ -368,6 +379,7 @@ class Conformal_willmore_flow {
   std::optional<internal::Class_keeper> m_class;  // if the exact class is kept
   std::optional<internal::Well_shaped_faces>
       m_well_shaped;  // of the initial mesh, with mollification
+  std::optional<internal::Volume_constraint> m_volume;
   internal::Constrained_direction m_direction;
   internal::Flow_balance m_balance;
   std::optional<internal::Scale_bound> m_scale_bound;

@@ -25,9 +25,11 @@ bool internal::Constrained_direction::Result::has_vanished(double tolerance) con
 internal::Constrained_direction::Constrained_direction(Transformation& transformation,
                                                        internal::Curvature_direction_ref direction,
                                                        const Flow_options& options,
+                                                       const Volume_constraint* volume,
                                                        std::string function)
     : m_transformation(transformation),
       m_direction(std::move(direction)),
+      m_volume(volume),
       m_filter_weight(options.filter_weight),
       m_filter_order(options.filter_order),
       m_function(std::move(function))
@@ -64,12 +66,33 @@ Eigen::VectorXd internal::Constrained_direction::exact_part(const Eigen::VectorX
 auto internal::Constrained_direction::constrained(const Eigen::VectorXd& raw) -> Result
 {
   const auto& system = m_transformation.system();
-  const double unit = m_transformation.domain().unit();
   internal::Constraint_basis all = exactness().basis();
+  if (m_volume) return at_volume(all, raw);
   if (system.is_closed())
     all.add(vertex_normals(system.surface(), internal::Normal_weight::angle).transpose());
+  return measured(all, all.project_out(filtered(raw)), raw);
+}
+
+auto internal::Constrained_direction::at_volume(const Constraint_basis& others,
+                                                const Eigen::VectorXd& raw) -> Result
+{
+  const double unit = m_transformation.domain().unit();
+  Volume_constraint::Directions d =
+      m_volume->directions(m_transformation, others, unit * filtered(raw));
+  Result result = measured(others, d.kept / unit, raw);
+  result.filling = d.filling / unit;
+  result.factorizations = d.factorizations;
+  result.solves = d.solves;
+  return result;
+}
+
+auto internal::Constrained_direction::measured(const Constraint_basis& all, Eigen::VectorXd v,
+                                               const Eigen::VectorXd& raw) const -> Result
+{
+  const double unit = m_transformation.domain().unit();
   Result result;
-  result.v = all.project_out(filtered(raw));
+  result.filling = Eigen::VectorXd::Zero(v.size());
+  result.v = std::move(v);
   result.norm = all.norm(result.v) * unit;
   result.share = all.norm(raw) > 0 ? all.norm(result.v) / all.norm(raw) : 0;
   return result;

@@ -4,6 +4,7 @@
 #include <Conformal_geometry_processing/flow/Curvature_direction_ref.h>
 #include <Conformal_geometry_processing/flow/Curvature_filter.h>
 #include <Conformal_geometry_processing/flow/Flow_options.h>
+#include <Conformal_geometry_processing/flow/Volume_constraint.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
 #include <Quaternionic_linear_algebra/exceptions.h>
@@ -21,7 +22,8 @@ namespace Conformal_geometry_processing::internal {
 /// Removes the constants, if they have no effect; the functions of `Exactness_constraints`; and on
 /// closed surfaces the components of the normals, which correspond to sphere inversions: the
 /// curvature has no component along them, but the filtered curvature has, and would make the
-/// surface drift.
+/// surface drift. With a `Volume_constraint`, which inversions do not keep, its gradient is removed
+/// instead.
 ///
 /// \tparam Direction a model of `CurvatureDirection`
 class Constrained_direction {
@@ -30,9 +32,12 @@ class Constrained_direction {
 
   /// the direction on one surface
   struct Result {
-    Eigen::VectorXd v;  ///< |V| numbers in 1/length
-    double norm = 0;    ///< root of the integral of v^2
-    double share = 0;   ///< remaining share of the direction, between 0 and 1
+    Eigen::VectorXd v;        ///< |V| numbers in 1/length
+    double norm = 0;          ///< root of the integral of v^2
+    double share = 0;         ///< remaining share of the direction, between 0 and 1
+    Eigen::VectorXd filling;  ///< `Volume_constraint::Directions::filling`, |V| numbers in
+                              ///< 1/length; zero without this constraint
+    int factorizations = 0, solves = 0;  ///< that the volume has needed
 
     /// \brief whether a share of at most `tolerance` remains of the direction, or of the curvature
     /// of a round sphere: the direction of a flat surface is rounding error, all of which remains.
@@ -40,8 +45,10 @@ class Constrained_direction {
   };
 
   /// \param transformation of the evolving surface; must outlive the object
+  /// \param volume null without this constraint; must outlive the object
   Constrained_direction(Transformation& transformation, Curvature_direction_ref direction,
-                        const Flow_options& options, std::string function);
+                        const Flow_options& options, const Volume_constraint* volume,
+                        std::string function);
 
   const Curvature_direction_ref& unconstrained() const { return m_direction; }
 
@@ -63,12 +70,15 @@ class Constrained_direction {
 
  private:
   Result constrained(const Eigen::VectorXd& raw);
+  Result at_volume(const Constraint_basis& others, const Eigen::VectorXd& raw);
+  Result measured(const Constraint_basis& all, Eigen::VectorXd v, const Eigen::VectorXd& raw) const;
   const Exactness_constraints& exactness();
   Eigen::VectorXd filtered(const Eigen::VectorXd& v);
   void require_one_per_vertex(const Eigen::VectorXd& v) const;
 
   Transformation& m_transformation;
   Curvature_direction_ref m_direction;
+  const Volume_constraint* m_volume;
   double m_filter_weight;
   int m_filter_order;
   std::optional<Curvature_filter> m_filter;

@@ -3,6 +3,7 @@
 #include <Conformal_geometry_processing/flow/Conformal_willmore_flow.h>
 
 #include <Conformal_geometry_processing/forms/conformal_modulus.h>
+#include <Conformal_geometry_processing/measure/Enclosure.h>
 #include <Conformal_geometry_processing/mesh/Intrinsic_triangulation.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Conformal_geometry_processing/mesh/simple_delaunay.h>
@@ -29,6 +30,12 @@ Mesh_view Conformal_willmore_flow::on_class(const Mesh_view& mesh, const Flow_op
   Mesh_view opened = internal::with_opened_faces(internal::simple_delaunay(mesh, share), share);
   require_surface(opened, function);
   return opened;
+}
+
+std::optional<internal::Volume_constraint> Conformal_willmore_flow::volume_constraint() const
+{
+  if (!m_options.reduced_volume) return std::nullopt;
+  return internal::Volume_constraint(m_input, *m_options.reduced_volume, m_function);
 }
 
 std::optional<Mesh_view> Conformal_willmore_flow::other_faces() const
@@ -102,15 +109,18 @@ bool Conformal_willmore_flow::fairs() const
 
 void Conformal_willmore_flow::take_step(Flow_step_report& report, const Go_further& go_further)
 {
+  (void)keep_volume(0);
   const bool rests = fairs() && m_class->rests();
   report.faired = fairs() && !rests && fair(report);
   const auto direction = m_direction(m_mesh);
   report.direction_norm = direction.norm;
   report.remaining_share = direction.share;
-  if (direction.has_vanished(m_options.direction_tolerance) && !is_turning())
+  report.spin.factorizations += direction.factorizations;
+  report.spin.solves += direction.solves;
+  if (direction.has_vanished(m_options.direction_tolerance) && !is_turning() && !is_filling())
     report.stop = Flow_step_report::Stop::direction_vanished;
   else
-    find_time_step(direction.v, report, go_further);
+    find_time_step(direction, report, go_further);
   const bool is_cancelled = report.stop == Flow_step_report::Stop::cancelled;
   if (report.faired && !report.accepted && !is_cancelled) settle_for_fairing(report);
   if (rests && report.accepted && report.stop == Flow_step_report::Stop::energy_settled) {
@@ -203,6 +213,11 @@ void Conformal_willmore_flow::finish(Flow_report& report)
   report.conformality = map_to(measured(), m_mesh.positions());
   report.conformality_of_faces = m_faces ? map_to(*m_faces, positions()) : report.conformality;
   report.energy_of_faces = energy_of_faces(positions());
+  if (boundary_loops(m_input).empty()) {
+    report.initial_enclosure = enclosure(m_input);
+    report.enclosure = enclosure(Mesh_view(positions(), m_input.corners()));
+  }
+  if (m_volume) report.missing_volume = m_volume->distance(m_mesh.positions());
   if (m_scale_bound) report.scales = m_scale_bound->measured(m_mesh.positions());
   const bool is_triangulated = m_transformation.domain().is_mollified();
   if (m_steps > 0 && !is_triangulated && boundary_loops(m_mesh).empty())
@@ -226,6 +241,7 @@ void Conformal_willmore_flow::polish()
 {
   Points f = m_mesh.positions();
   try {
+    (void)keep_volume(is_filling() ? 0 : 1);
     m_class->polish(f);
     if (!beyond(map_to(measured(), f), m_options.surface.limits.map, f).empty()) return;
     m_transformation.set_positions(f);

@@ -28,6 +28,12 @@ const Flow_options& checked(const Flow_options& o, const std::string& function)
           "a number above 1 is needed");
   require(scales.factors.size() == 0 && scales.weights.size() == 0, "sizes are wanted or locked",
           "a flow can keep a bound only");
+  require(!o.reduced_volume || (*o.reduced_volume > 0 && *o.reduced_volume <= 1),
+          "a reduced volume of " + std::to_string(o.reduced_volume.value_or(0)),
+          "a number above 0 and up to 1, which is that of a round sphere, is needed");
+  require(!o.reduced_volume ||
+              (o.surface.exact_conformal_class && o.balance == Flow_options::Balance::none),
+          "a reduced volume off the exact conformal class, or with balance", "neither can keep it");
   require(o.surface.boundary.kind != Boundary_condition::Kind::positions,
           "positions are prescribed at the boundary", "a flow can keep directions only");
   return o;

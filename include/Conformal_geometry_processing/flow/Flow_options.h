@@ -79,6 +79,12 @@ struct Flow_options {
   /// exact class are transformed; beyond it they are smoothed only, which distorts them less
   double max_spin_distortion = 1.25;
 
+  /// \brief the `Enclosure::reduced_volume()` of a closed surface that the flow keeps or, a part of
+  /// the way in each step, leads to: in (0, 1]. On the exact conformal class. Surfaces of the least
+  /// energy are then shapes of vesicles; on the way to the volume it may rise. A step costs a
+  /// factorization more. None: the volume is free
+  std::optional<double> reduced_volume = std::nullopt;
+
   /// stop if the energy changes by less than this share of it in a time of 1; if it tends to zero,
   /// of a hundredth of the initial energy
   double energy_tolerance = 1e-4;

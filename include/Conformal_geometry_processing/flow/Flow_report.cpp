@@ -57,6 +57,7 @@ namespace internal {
 /// the first reason why a flow is not a success, as its conversion to `bool` judges
 const char* fault_of(const Flow_report& r)
 {
+  if (!r.has_volume()) return "the prescribed volume is not reached";
   if (!r.is_complete()) return to_string(r.stop);
   if (r.map_fault() != Conformality::Fault::none) return to_string(r.map_fault());
   return r.keeps_conformal_type() ? "none" : "the conformal type has changed";
@@ -70,6 +71,9 @@ std::ostream& operator<<(std::ostream& out, const Flow_report& r)
       << "\nenergy                 from " << r.initial_energy_of_faces << " to "
       << r.energy_of_faces << '\n';
   if (!r.message.empty()) out << "last trial             rejected: " << r.message << '\n';
+  if (r.enclosure.area > 0)
+    out << "reduced volume         from " << r.initial_enclosure.reduced_volume << " to "
+        << r.enclosure.reduced_volume << '\n';
   internal::print_conformality(out, r.conformality_of_faces);
   return out << "conformal type         changed by " << r.conformal_type_change
              << ", period defect " << r.period_defect << "\nfault                  "

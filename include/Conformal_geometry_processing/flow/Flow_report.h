@@ -2,10 +2,12 @@
 #pragma once
 
 #include <Conformal_geometry_processing/measure/Conformality.h>
+#include <Conformal_geometry_processing/measure/Enclosure.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 #include <Conformal_geometry_processing/spin/Spin_report.h>
 #include <Quaternionic_linear_algebra/krylov/Eigensolver_result.h>
 
+#include <cmath>
 #include <iosfwd>
 #include <string>
 #include <vector>
@@ -75,6 +77,12 @@ struct [[nodiscard]] Flow_report {
   Conformality conformality_of_faces;
   ///@}
 
+  /// of a closed surface, on the faces of the input; zero with a boundary
+  Enclosure initial_enclosure, enclosure;
+
+  /// the logarithm of the prescribed reduced volume by that of the last surface; zero without any
+  double missing_volume = 0;
+
   /// \brief what the constraints leave of the direction on the last surface, where a surface on its
   /// exact class keeps directions at its boundary: the root of the integral of its square.
   ///
@@ -111,8 +119,18 @@ struct [[nodiscard]] Flow_report {
   /// whether the flow has converged
   bool converged() const;
 
-  /// whether it did what was asked: it has converged, or made the requested number of steps
-  bool is_complete() const { return converged() || stop == Flow_step_report::Stop::steps_done; }
+  /// up to which it counts as reached
+  static constexpr double max_missing_volume = 1e-3;
+
+  /// whether it did what was asked: it has converged, or made the requested number of steps, and
+  /// reached the prescribed volume
+  bool is_complete() const
+  {
+    return (converged() || stop == Flow_step_report::Stop::steps_done) && has_volume();
+  }
+
+  /// whether it has the prescribed volume, if there is one
+  bool has_volume() const { return std::abs(missing_volume) <= max_missing_volume; }
 
   /// which limit of a conformal map from start to end is exceeded, on the faces of the input or
   /// those of the flow

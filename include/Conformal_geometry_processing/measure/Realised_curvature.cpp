@@ -1,6 +1,7 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/measure/Realised_curvature.h>
 
+#include <Conformal_geometry_processing/measure/Enclosure.h>
 #include <Conformal_geometry_processing/mesh/Normalized_frame.h>
 #include <Conformal_geometry_processing/mesh/topology.h>
 #include <Conformal_geometry_processing/operators/cotan_laplacian.h>
@@ -27,22 +28,11 @@ struct Vertex_integrals {
   Vertex_integrals(const Mesh_view& mesh, const Points& f)
       : areas(Eigen::VectorXd::Zero(mesh.size_of_vertices())), curvatures(areas)
   {
-    // The gradients of area and volume, which are bounded for thin faces too.
-    Points of_area = Points::Zero(3, f.cols()), of_volume = of_area;
-    for (int k = 0; k < mesh.size_of_faces(); ++k) {
-      const Eigen::Vector3d normal = mesh.double_area_vector(k, f);
-      const double size = normal.norm();
-      if (!(size > 0)) continue;
-      const auto& v = mesh.corners(k);
-      for (std::size_t c = 0; c < 3; ++c) {
-        const Eigen::Vector3d opposite = f.col(v[(c + 2) % 3]) - f.col(v[(c + 1) % 3]);
-        of_area.col(v[c]) += normal.cross(opposite) / (2 * size);
-        of_volume.col(v[c]) += normal;
-        areas[v[c]] += size / 6;
-      }
-    }
+    for (int k = 0; k < mesh.size_of_faces(); ++k)
+      for (const int v : mesh.corners(k)) areas[v] += mesh.double_area_vector(k, f).norm() / 6;
+    const Enclosure_gradient gradient(mesh, f);
     for (Eigen::Index i = 0; i < f.cols(); ++i)
-      curvatures[i] = of_area.col(i).dot(of_volume.col(i).normalized()) / 2;
+      curvatures[i] = gradient.of_area.col(i).dot(gradient.of_volume.col(i).normalized()) / 2;
   }
 
   Eigen::VectorXd areas;       // M

@@ -20,7 +20,7 @@ from ._flow import Flow_result, willmore_flow
 from ._kernels import __version__, default_max_scale
 from ._matrices import (cotan_laplacian, dirac_energy, dirac_operator, face_areas, mean_curvature,
                         quasi_conformal_errors, vertex_areas)
-from ._reports import (Area_distortion, Class_snap_report, Conformality, Distribution, Flow_report,
+from ._reports import (Area_distortion, Class_snap_report, Conformality, Distribution, Enclosure, Flow_report,
                        Flow_step_report, Length_cross_ratio_change, Limits, Mean_and_max,
                        Mollification, Overlap_summary, Parameterization_report, Realised_curvature,
                        Scales, Spin_report)
@@ -39,7 +39,7 @@ __all__ = [
     "Spin_result", "Deformation_result", "Nearest_result", "Flow_result", "Flattening", "Harmonic_basis",
     "Dirac_spectrum", "Class_snap_result", "Progress", "Spin_report", "Flow_report",
     "Flow_step_report", "Parameterization_report", "Class_snap_report", "Conformality",
-    "Distribution", "Length_cross_ratio_change", "Area_distortion", "Mollification", "Scales",
-    "Realised_curvature", "Overlap_summary", "Mean_and_max", "Limits", "default_max_scale", "Error",
-    "Precondition_error", "Solver_error", "__version__",
+    "Distribution", "Enclosure", "Length_cross_ratio_change", "Area_distortion", "Mollification",
+    "Scales", "Realised_curvature", "Overlap_summary", "Mean_and_max", "Limits", "default_max_scale",
+    "Error", "Precondition_error", "Solver_error", "__version__",
 ]

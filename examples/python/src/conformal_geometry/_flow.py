@@ -32,7 +32,7 @@ def willmore_flow(V: Points, F: Faces, *, max_steps: int = 100, time_step: float
                   balancing: str = "inversion", target_areas: Optional[Vertex_values] = None,
                   boundary: Optional[Boundary_condition] = None,
                   exact_conformal_class: bool = True, fairing: bool = True,
-                  max_scale: Optional[float] = None,
+                  max_scale: Optional[float] = None, reduced_volume: Optional[float] = None,
                   exactness: Optional[str] = "adjoint",
                   max_period_defect: Optional[float] = None,
                   mollification: Optional[float] = None, random_seed: int = 0,
@@ -70,6 +70,9 @@ def willmore_flow(V: Points, F: Faces, *, max_steps: int = 100, time_step: float
     max_scale : float > 1, optional
         the largest factor by which lengths may differ from those of V, on 98 % of the area: limbs,
         and what is behind a thin neck, become no smaller
+    reduced_volume : float, optional
+        the volume, by that of the round sphere of the same area, that a closed surface keeps or, by
+        a twentieth in a step, reaches: the shapes of least energy are those of vesicles
     exactness, max_period_defect, mollification, random_seed
         as in ``spin_transform()``
     callback : function of (Flow_step_report, positions), optional
@@ -87,7 +90,7 @@ def willmore_flow(V: Points, F: Faces, *, max_steps: int = 100, time_step: float
                    filter_order=filter_order, balance=balance, balancing=balancing,
                    target_areas=real_or_none(target_areas, name, "areas"), boundary=boundary,
                    exact_conformal_class=exact_conformal_class, fairing=fairing,
-                   max_scale=max_scale,
+                   max_scale=max_scale, reduced_volume=reduced_volume,
                    exactness=exactness, max_period_defect=max_period_defect,
                    mollification=mollification, random_seed=random_seed)
     on_step = None if callback is None else (

@@ -192,6 +192,15 @@ class Spin_report(Report):
 
 
 @dataclass(frozen=True)
+class Enclosure:
+    """The area of a closed surface, the volume that it encloses, and this by that of the round
+    sphere of the same area; 0 with a boundary."""
+    area: float
+    volume: float
+    reduced_volume: float
+
+
+@dataclass(frozen=True)
 class Flow_step_report:
     """The numbers that verify one step of a flow; see Flow_report.h."""
     step: int
@@ -231,6 +240,9 @@ class Flow_report(Report):
     energy_of_faces: float
     conformality: Conformality
     conformality_of_faces: Conformality
+    initial_enclosure: Enclosure
+    enclosure: Enclosure
+    missing_volume: float
     direction_norm: float
     scales: Scales
     bounded_steps: int
