@@ -206,6 +206,15 @@ def check_filled_hole(program):
         sys.exit(f"{len(points)} vertices, and one is {error} from the sphere")
 
 
+def check_vesicle(program):
+    """The energy of a disc of .6 of the volume of a round sphere, by the shape equations of vesicles."""
+    with tempfile.TemporaryDirectory() as folder:
+        run = subprocess.run([program, ".6", f"{folder}/result.ply"], check=True, stdout=subprocess.PIPE, text=True)
+    volume, energy = map(float, re.search(r"volume (\S+) .* energy (\S+)", run.stdout).groups())
+    if abs(volume - .6) > 1e-6 or abs(energy / 1.9557 - 1) > .01:
+        sys.exit(f"a volume of {volume} and an energy of {energy}")
+
+
 def main():
     if len(sys.argv) > 2:
         check_first_program(*sys.argv[1:3])
@@ -215,6 +224,8 @@ def main():
         return check_rotations(sys.argv[1])
     if pathlib.Path(sys.argv[1]).stem == "smoothest_torus":
         return check_torus(sys.argv[1])
+    if pathlib.Path(sys.argv[1]).stem == "red_blood_cell":
+        return check_vesicle(sys.argv[1])
     if pathlib.Path(sys.argv[1]).stem == "unwind_a_curve":
         return check_curve(sys.argv[1])
     points, faces = WANTED.get(pathlib.Path(sys.argv[1]).stem, lambda: sphere(4))()

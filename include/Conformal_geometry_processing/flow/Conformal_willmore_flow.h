@@ -81,8 +81,9 @@ std::string step_fault(const Spin_report& report, bool is_turning, bool is_exact
 /// have no effect, and to the components of the normals, which correspond to sphere inversions.
 /// With a free boundary or prescribed tangents, there are no such constraints; with prescribed
 /// binormals, v must be orthogonal to the constants, so that the flow converges to constant mean
-/// curvature. On surfaces with handles or holes, the edges must close up around them. Area and
-/// centroid are preserved.
+/// curvature. With a prescribed volume, the gradient of this takes the place of the normals, see
+/// `internal::Volume_constraint`. On surfaces with handles or holes, the edges must close up around
+/// them. Area and centroid are preserved.
 ///
 /// The faces of the input are judged, too: no surface is accepted that has 1 % more energy there
 /// than the input, or leaves `Flow_options::limits`.
