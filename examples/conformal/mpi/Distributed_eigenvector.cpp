@@ -3,13 +3,14 @@
 
 #include "Counted_faces.h"
 #include "Distributed_matrix.h"
+#include "Distributed_solver.h"
 
 #include <Conformal_geometry_processing/operators/dirac_energy.h>
-#include <Quaternionic_linear_algebra/adapters/Petsc_hermitian_solver_traits.h>
 #include <Quaternionic_linear_algebra/adapters/Slepc_eigensolver_traits.h>
 #include <Quaternionic_linear_algebra/direct/Stopwatch.h>
 
 #include <cmath>
+#include <cstddef>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -26,10 +27,11 @@ using CGP::Quaternion_vector;
 /// t = 1. Each stage goes as far as the vector stays near to that before it.
 class Eigenvector {
  public:
-  Eigenvector(const Distributed_mesh& mesh, const Eigen::VectorXd& rho, Eigen::VectorXd areas,
-              const Branch_state& start)
+  Eigenvector(const Distributed_mesh& mesh, const Solution_plan& plan, const Eigen::VectorXd& rho,
+              Eigen::VectorXd areas, const Branch_state& start)
       : gamma(start.gamma),
         m_mesh(mesh),
+        m_plan(plan),
         m_rho(rho),
         m_areas(std::move(areas)),
         m_matrix(mesh),
@@ -51,7 +53,7 @@ class Eigenvector {
       const double start = m_t, slope = quotient_slope();
       m_t = (std::min)(1., m_t + m_step);
       gamma += (m_t - start) * slope;
-      m_grids.reset();
+      m_solver.reset();
       refine((std::max)(rough, options.tolerance), 1, options, {}, go_further, report);
       if (report.cancelled || report.iterations >= options.max_iterations) return;
       if (overlap(m_mesh, m_areas, before.first, lambda) < same_vector && m_step > least_step) {
@@ -110,46 +112,34 @@ class Eigenvector {
     }
   }
 
+  static std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
   double root(int v) const { return std::sqrt(m_areas[v] * unit()); }
 
-  /// K = M^-1/2 X M^-1/2 / unit + shift, and grids for it where there are none: others that are for
-  /// a K nearby will do
+  /// K = M^-1/2 X M^-1/2 / unit + shift, and a solver of it where there is none: that of another K
+  /// nearby preconditions as well
   void assemble(CGP::Spin_report& report)
   {
     CGP::internal::Stopwatch watch;
     const double shift = 1e-3;  // X may be singular
-    const auto X = CGP::dirac_energy(m_mesh.mesh(), Curvature_potential::on_vertices(shifted()));
-    const auto scaled = [&](int i, int j, const auto& a) { return a / (root(i) * root(j)); };
-    m_matrix.set(X, [&](int i, int j, const Quaternion<double>& a) {
-      Quaternion<double> k = scaled(i, j, a);
-      if (i == j) k.w += shift;
-      return k;
-    });
+    const Curvature_potential potential = Curvature_potential::on_vertices(shifted());
+    auto K = CGP::dirac_energy(m_mesh.mesh(), potential);
+    const CGP::Sparse_pattern& pattern = K.pattern();
+    for (int j = 0; j < K.size(); ++j)
+      for (int k = pattern.offsets[at(j)]; k < pattern.offsets[at(j + 1)]; ++k) {
+        const int i = pattern.indices[at(k)];
+        K.value(k) = K.value(k) / (root(i) * root(j));
+        if (i == j) K.value(k).w += shift;
+      }
+    m_matrix.set(K);
     report.seconds.assembly += watch.lap();
-    if (m_grids) return;
-    Distributed_matrix<double> real(m_mesh);
-    real.set(X, [&](int i, int j, const Quaternion<double>& a) {
-      return scaled(i, j, a).w + (i == j ? shift : 0);
-    });
-    set_smooth_vector(real);
-    m_grids.emplace(m_matrix.get(), real.get(), 2);
+    if (m_solver) return;
+    // Constants are in the kernel of X for rho = 0, and masses turn them to this.
+    Eigen::VectorXd smooth(m_own);
+    for (int v = 0; v < m_own; ++v) smooth[v] = root(v);
+    m_solver.emplace(m_mesh, m_plan, m_matrix.get(), K, smooth);
     ++report.factorizations;
     report.seconds.factorization += watch.lap();
-  }
-
-  /// Constants are in the kernel of X for rho = 0, so they are what grids have to represent, and
-  /// masses turn them to this.
-  void set_smooth_vector(const Distributed_matrix<double>& real) const
-  {
-    const Petsc_vec v = real.make_vector();
-    with_values(v.get(), [&](PetscScalar* values) {
-      for (int i = 0; i < m_own; ++i) values[i] = root(i);
-    });
-    check_petsc(VecNormalize(v.get(), nullptr));
-    const Vec vector = v.get();
-    CGP::internal::Petsc_handle<MatNullSpace, MatNullSpaceDestroy> space;
-    check_petsc(MatNullSpaceCreate(PETSC_COMM_WORLD, PETSC_FALSE, 1, &vector, space.renew()));
-    check_petsc(MatSetNearNullSpace(real.get(), space.get()));
   }
 
   /// lambda times 1 and j: the quaternionic line of one vector
@@ -180,8 +170,8 @@ class Eigenvector {
       progress.iteration += report.iterations;
       return go_further(progress);
     };
-    CGP::internal::Slepc_lobpcg<decltype(ask)> slepc(m_matrix.get(), m_grids->multigrid(), own,
-                                                     ask);
+    CGP::internal::Slepc_lobpcg<decltype(ask)> slepc(m_matrix.get(), m_solver->preconditioner(),
+                                                     own, ask);
     slepc.run(initial());
     const Petsc_vec v = m_matrix.make_vector();
     slepc.vector(0, v.get());
@@ -236,23 +226,24 @@ class Eigenvector {
   }
 
   const Distributed_mesh& m_mesh;
+  const Solution_plan& m_plan;
   const Eigen::VectorXd& m_rho;
   const Eigen::VectorXd m_areas;
   Distributed_matrix<Quaternion<double>> m_matrix;
-  std::optional<CGP::internal::Petsc_multigrid> m_grids;
+  std::optional<Distributed_solver<Quaternion<double>>> m_solver;
   int m_own;
   double m_area, m_t, m_step;
 };
 
 }  // namespace
 
-Quaternion_vector<double> eigenvector(const Distributed_mesh& mesh, const Eigen::VectorXd& rho,
-                                      const Eigen::VectorXd& areas,
+Quaternion_vector<double> eigenvector(const Distributed_mesh& mesh, const Solution_plan& plan,
+                                      const Eigen::VectorXd& rho, const Eigen::VectorXd& areas,
                                       const CGP::Dirac_options& options, const Branch_state& start,
                                       const Save& save, const Go_further& go_further,
                                       CGP::Spin_report& report)
 {
-  Eigenvector vector(mesh, rho, areas, start);
+  Eigenvector vector(mesh, plan, rho, areas, start);
   vector.solve(options, save, go_further, report);
   report.eigenvalue = vector.gamma;
   report.dirac_residual =

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Distributed_mesh.h"
+#include "Distributed_solver.h"
 
 #include <Conformal_geometry_processing/spin/Spin_report.h>
 #include <Quaternionic_linear_algebra/algebra/Quaternion_vector.h>
@@ -24,13 +25,13 @@ using Save = std::function<void(const Branch_state&)>;
 
 /// \brief The smallest eigenvector of X of a closed surface, for rho + gamma with gamma its own
 /// quotient, as that of `CGP::Spin_transformation` is, on the branch of lambda = 1, found by the
-/// LOBPCG of SLEPc with the multigrid of PETSc; its numbers go into the report. Collective.
+/// LOBPCG of SLEPc with a solver of `plan`; its numbers go into the report. Collective.
 ///
-/// \param rho |V| of the mesh of the part, in 1/length \param areas of the same vertices
+/// \param plan of the same mesh \param rho |V| of the mesh of the part, in 1/length \param areas of the same vertices
 /// \param start, save, go_further see `transform()`
 /// \throw CGP::Solver_error if PETSc or SLEPc fails
-CGP::Quaternion_vector<double> eigenvector(const Distributed_mesh& mesh, const Eigen::VectorXd& rho,
-                                           const Eigen::VectorXd& areas,
+CGP::Quaternion_vector<double> eigenvector(const Distributed_mesh& mesh, const Solution_plan& plan,
+                                           const Eigen::VectorXd& rho, const Eigen::VectorXd& areas,
                                            const CGP::Dirac_options& options,
                                            const Branch_state& start, const Save& save,
                                            const Go_further& go_further, CGP::Spin_report& report);

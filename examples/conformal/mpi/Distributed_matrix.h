@@ -5,6 +5,7 @@
 
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 #include <Quaternionic_linear_algebra/adapters/Petsc_matrix.h>
+#include <Quaternionic_linear_algebra/algebra/Hermitian_sparse_matrix.h>
 
 #include <array>
 #include <cstddef>
@@ -43,18 +44,24 @@ class Distributed_matrix {
 
   Mat get() const { return m_matrix.get(); }
 
-  /// \brief sets the rows of the own vertices, which are complete in the part.
-  /// \param entry of i, j and the value there, where i is an own vertex
-  template <class Matrix, class Entry>
-  void set(const Matrix& A, const Entry& entry)
+  /// Sets the rows of the own vertices, which are complete in the part
+  void set(const CGP::Hermitian_sparse_matrix<Scalar>& A)
   {
-    A.for_each_entry([&](int i, int j, const auto& a) {
-      if (i < m_mesh.own_vertices()) put(i, j, entry(i, j, a));
-      if (i != j && j < m_mesh.own_vertices()) put(j, i, entry(j, i, conjugate(a)));
+    A.for_each_entry([&](int i, int j, const Scalar& a) {
+      if (i < m_mesh.own_vertices()) put(i, j, a);
+      if (i != j && j < m_mesh.own_vertices()) put(j, i, CGP::conjugate(a));
     });
     check_petsc(MatAssemblyBegin(get(), MAT_FINAL_ASSEMBLY));
     check_petsc(MatAssemblyEnd(get(), MAT_FINAL_ASSEMBLY));
     check_petsc(MatSetOption(get(), MAT_HERMITIAN, PETSC_TRUE));
+  }
+
+  /// Says that constants are in the kernel, or nearly so: solutions have none
+  void set_kernel_to_constants() const
+  {
+    CGP::internal::Petsc_handle<MatNullSpace, MatNullSpaceDestroy> kernel;
+    check_petsc(MatNullSpaceCreate(PETSC_COMM_WORLD, PETSC_TRUE, 0, nullptr, kernel.renew()));
+    check_petsc(MatSetNullSpace(get(), kernel.get()));
   }
 
   Petsc_vec make_vector() const
@@ -65,12 +72,6 @@ class Distributed_matrix {
   }
 
  private:
-  static double conjugate(double a) { return a; }
-  static CGP::Quaternion<double> conjugate(const CGP::Quaternion<double>& a)
-  {
-    return CGP::conjugate(a);
-  }
-
   void put(int i, int j, const Scalar& a)
   {
     const PetscInt row = m_mesh.number(i), column = m_mesh.number(j);

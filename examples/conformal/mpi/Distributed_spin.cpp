@@ -3,6 +3,7 @@
 
 #include "Counted_faces.h"
 #include "Distributed_matrix.h"
+#include "Distributed_solver.h"
 #include "free_boundary.h"
 
 #include <Conformal_geometry_processing/measure/Realised_curvature.h>
@@ -12,26 +13,32 @@
 #include <Conformal_geometry_processing/spin/certify.h>
 #include <Conformal_geometry_processing/spin/gauge.h>
 #include <Conformal_geometry_processing/spin/transformed_edges.h>
-#include <Quaternionic_linear_algebra/adapters/Petsc_hermitian_solver_traits.h>
 #include <Quaternionic_linear_algebra/direct/Stopwatch.h>
 
 #include <algorithm>
 #include <optional>
-#include <string>
 
 namespace conformal::mpi {
 namespace {
 
 using CGP::Quaternion_vector;
 
-/// \brief (L + masses)^-1 b of the own vertices, for up to two columns b.
-Eigen::MatrixXd laplacian_solution(const Distributed_mesh& mesh, const Eigen::VectorXd& masses,
-                                   const Eigen::MatrixXd& b)
+/// \brief (L + masses)^-1 b of the own vertices, two columns b at once.
+/// \param is_singular whether masses are so small that solutions have constants by rounding alone
+Eigen::MatrixXd laplacian_solution(const Distributed_mesh& mesh, const Solution_plan& plan,
+                                   const Eigen::VectorXd& masses, const Eigen::MatrixXd& b,
+                                   bool is_singular)
 {
-  const auto L = CGP::cotan_laplacian(mesh.mesh());
+  CGP::Hermitian_sparse_matrix<double> L = CGP::cotan_laplacian(mesh.mesh());
+  const auto diagonal = [&](int v) -> double& {
+    return L.value(L.pattern().offsets[static_cast<std::size_t>(v)]);
+  };
+  for (int v = 0; v < mesh.own_vertices(); ++v) diagonal(v) += masses[v];
   Distributed_matrix<double> matrix(mesh);
-  matrix.set(L, [&](int i, int j, double a) { return a + (i == j ? masses[i] : 0); });
-  const CGP::internal::Petsc_multigrid solver(matrix.get(), matrix.get(), 1);
+  matrix.set(L);
+  if (is_singular) matrix.set_kernel_to_constants();
+  for (int v = 0; v < mesh.own_vertices(); ++v) diagonal(v) *= 1 + 1e-9;  // pivots stay positive
+  const Distributed_solver<double> solver(mesh, plan, matrix.get(), L);
   const Petsc_vec right = matrix.make_vector(), x = matrix.make_vector();
   Eigen::MatrixXd solution(b.rows(), b.cols());
   for (Eigen::Index c = 0; c < b.cols(); c += 2) {  // two columns as a complex one
@@ -40,9 +47,7 @@ Eigen::MatrixXd laplacian_solution(const Distributed_mesh& mesh, const Eigen::Ve
       for (Eigen::Index v = 0; v < b.rows(); ++v)
         values[v] = PetscScalar(b(v, c), is_pair ? b(v, c + 1) : 0);
     });
-    const CGP::Solver_status status = solver.solve(right.get(), x.get());
-    if (status != CGP::Solver_status::success)
-      throw CGP::Solver_error("transform", std::string("the Laplacian: ") + to_string(status));
+    solver.solve(right.get(), x.get());
     with_values(x.get(), [&](const PetscScalar* values) {
       for (Eigen::Index v = 0; v < b.rows(); ++v) {
         solution(v, c) = values[v].real();
@@ -54,26 +59,29 @@ Eigen::MatrixXd laplacian_solution(const Distributed_mesh& mesh, const Eigen::Ve
 }
 
 /// the positions whose edges are nearest to given ones [CGP (5.5)], of the mesh of the part
-CGP::Points integrated(const Distributed_mesh& mesh, const Eigen::VectorXd& areas,
-                       const Eigen::VectorXd& weights, const Eigen::MatrixX3d& edges)
+CGP::Points integrated(const Distributed_mesh& mesh, const Solution_plan& plan,
+                       const Eigen::VectorXd& areas, const Eigen::VectorXd& weights,
+                       const Eigen::MatrixX3d& edges)
 {
   const double shift = 1e-10;  // L is singular, and right-hand sides have no constant part
   const int own = mesh.own_vertices();
   const double area = sum(areas.head(own).sum());
   const Eigen::MatrixX3d b = CGP::codifferential(mesh.mesh(), weights, edges);
   Eigen::MatrixXd f(3, mesh.mesh().size_of_vertices());
-  f.leftCols(own) = laplacian_solution(mesh, shift / area * areas, b.topRows(own)).transpose();
+  f.leftCols(own) =
+      laplacian_solution(mesh, plan, shift / area * areas, b.topRows(own), true).transpose();
   mesh.update(f);
   return f;
 }
 
 std::optional<CGP::Realised_curvature> realised_curvature(const Distributed_mesh& mesh,
+                                                          const Solution_plan& plan,
                                                           const CGP::Points& f,
                                                           const Eigen::VectorXd& rho)
 {
   const auto smooth = [&](const CGP::Block<double>& b,
                           const Eigen::VectorXd& masses) -> CGP::Block<double> {
-    return laplacian_solution(mesh, masses, b);
+    return laplacian_solution(mesh, plan, masses, b, false);
   };
   return CGP::internal::realised_curvature(mesh.mesh(), f, rho, !mesh.is_closed(), mesh.mesh(),
                                            smooth, mesh.part());
@@ -101,8 +109,8 @@ Eigen::VectorXd quality(const Distributed_mesh& mesh, const CGP::Points& f)
 
 }  // namespace
 
-Distributed_result transform(const Distributed_mesh& mesh, const Eigen::VectorXd& rho,
-                             const CGP::Dirac_options& options,
+Distributed_result transform(const Distributed_mesh& mesh, const Solution_plan& plan,
+                             const Eigen::VectorXd& rho, const CGP::Dirac_options& options,
                              const CGP::Spin_report::Limits& limits, const Branch_state& start,
                              const Save& save, const Go_further& go_further)
 {
@@ -112,18 +120,18 @@ Distributed_result transform(const Distributed_mesh& mesh, const Eigen::VectorXd
   report.limits = limits;
   Eigen::MatrixXd areas = CGP::vertex_areas(mesh.mesh()).transpose();
   mesh.update(areas);
-  // the multigrid of X is not needed any more for positions
+  // the solver of X is not needed any more for positions
   Quaternion_vector<double> lambda =
-      mesh.is_closed()
-          ? eigenvector(mesh, rho, areas.transpose(), options, start, save, go_further, report)
-          : spins_with_free_boundary(mesh, rho, areas.transpose(), report);
+      mesh.is_closed() ? eigenvector(mesh, plan, rho, areas.transpose(), options, start, save,
+                                     go_further, report)
+                       : spins_with_free_boundary(mesh, plan, rho, areas.transpose(), report);
   if (report.cancelled) return result;
   report.overlap = overlap(mesh, areas.transpose(), lambda,
                            Quaternion_vector<double>::Constant(lambda.size(), {1, 0, 0, 0}));
   CGP::internal::Stopwatch watch;
   const Eigen::VectorXd weights = CGP::cotan_weights(mesh.mesh());
   const Eigen::MatrixX3d edges = CGP::transformed_edges(mesh.mesh(), lambda);
-  CGP::Points f = integrated(mesh, areas.transpose(), weights, edges);
+  CGP::Points f = integrated(mesh, plan, areas.transpose(), weights, edges);
   report.seconds.reconstruction += watch.lap();
   report.closure_residual =
       CGP::internal::closure_residual(mesh.mesh(), weights, f, edges, mesh.part());
@@ -131,7 +139,7 @@ Distributed_result transform(const Distributed_mesh& mesh, const Eigen::VectorXd
   CGP::internal::certify(mesh.mesh(), f, lambda, report, mesh.part());
   if (!mesh.is_closed()) judge_boundary(mesh, report);
   result.quality = quality(mesh, f);
-  if (report.converged) report.realised_curvature = realised_curvature(mesh, f, rho);
+  if (report.converged) report.realised_curvature = realised_curvature(mesh, plan, f, rho);
   result.positions = f.leftCols(mesh.own_vertices());
   report.seconds.certificate += watch.lap();
   return result;

@@ -21,13 +21,13 @@ struct Distributed_result {
 /// lengths, on all processes; each has only its part of X, of all vectors and of the surface. A
 /// boundary is free. Collective.
 ///
-/// \param rho |V| of the mesh of the part, in 1/length
+/// \param plan of the same mesh \param rho |V| of the mesh of the part, in 1/length
 /// \param start of the way, which has steps on closed surfaces
 /// \param save is told where it is, every now and then, on all processes
 /// \param go_further asked on each process before each iteration
 /// \throw CGP::Solver_error if PETSc or SLEPc fails
-Distributed_result transform(const Distributed_mesh& mesh, const Eigen::VectorXd& rho,
-                             const CGP::Dirac_options& options,
+Distributed_result transform(const Distributed_mesh& mesh, const Solution_plan& plan,
+                             const Eigen::VectorXd& rho, const CGP::Dirac_options& options,
                              const CGP::Spin_report::Limits& limits, const Branch_state& start,
                              const Save& save, const Go_further& go_further);
 

@@ -3,13 +3,13 @@
 
 #include "Counted_faces.h"
 #include "Distributed_matrix.h"
+#include "Distributed_solver.h"
 
 #include <Conformal_geometry_processing/operators/dirac_energy.h>
 #include <Conformal_geometry_processing/spin/Spin_residual.h>
-#include <Quaternionic_linear_algebra/adapters/Petsc_hermitian_solver_traits.h>
 #include <Quaternionic_linear_algebra/direct/Stopwatch.h>
 
-#include <string>
+#include <cstddef>
 
 namespace conformal::mpi {
 namespace {
@@ -49,6 +49,7 @@ Quaternion_vector<double> spins_of(const Distributed_mesh& mesh, Vec x)
 }  // namespace
 
 Quaternion_vector<double> spins_with_free_boundary(const Distributed_mesh& mesh,
+                                                   const Solution_plan& plan,
                                                    const Eigen::VectorXd& rho,
                                                    const Eigen::VectorXd& areas,
                                                    CGP::Spin_report& report)
@@ -56,18 +57,13 @@ Quaternion_vector<double> spins_with_free_boundary(const Distributed_mesh& mesh,
   CGP::internal::Stopwatch watch;
   const auto potential = CGP::Curvature_potential::on_vertices(rho);
   const Eigen::VectorXd weights = CGP::nearness_weight(Counted_faces{mesh}, mesh.part()) * areas;
-  const auto X = CGP::dirac_energy(mesh.mesh(), potential);
+  auto A = CGP::dirac_energy(mesh.mesh(), potential);
+  for (int v = 0; v < mesh.own_vertices(); ++v)
+    A.value(A.pattern().offsets[static_cast<std::size_t>(v)]).w += weights[v];
   Distributed_matrix<Quaternion<double>> matrix(mesh);
-  matrix.set(X, [&](int i, int j, Quaternion<double> a) {
-    a.w += i == j ? weights[i] : 0;
-    return a;
-  });
-  Distributed_matrix<double> real(mesh);
-  real.set(X, [&](int i, int j, const Quaternion<double>& a) {
-    return a.w + (i == j ? weights[i] : 0);
-  });
+  matrix.set(A);
   report.seconds.assembly += watch.lap();
-  const CGP::internal::Petsc_multigrid solver(matrix.get(), real.get(), 2);
+  const Distributed_solver<Quaternion<double>> solver(mesh, plan, matrix.get(), A);
   report.factorizations = 1;
   report.seconds.factorization += watch.lap();
   const Petsc_vec b = matrix.make_vector(), x = matrix.make_vector();
@@ -75,9 +71,7 @@ Quaternion_vector<double> spins_with_free_boundary(const Distributed_mesh& mesh,
     for (int v = 0; v < mesh.own_vertices(); ++v, values += 2)
       Embedding::to_entries({weights[v], 0, 0, 0}, values);
   });
-  const CGP::Solver_status status = solver.solve(b.get(), x.get());
-  if (status != CGP::Solver_status::success)
-    throw CGP::Solver_error("transform", std::string("the Dirac matrix: ") + to_string(status));
+  solver.solve(b.get(), x.get());
   report.solves = 1;
   report.residual = residual(matrix.get(), b.get(), x.get());
   Quaternion_vector<double> lambda = spins_of(mesh, x.get());

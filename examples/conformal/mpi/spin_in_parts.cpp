@@ -47,14 +47,14 @@ const char* const spin_about =
 
 /// what every process has to know
 struct Job {
-  std::string input, output, expression;
+  std::string input, output, expression, solver = "factor";
   double amplitude = 1, checkpoint = 300;
   double tolerance = CGP::Dirac_options().tolerance;
-  int iterations = 1000;  // a cycle of grids each, not a solve with a factor
+  int iterations = 1000;  // they may be cycles of grids, not solves with a factor
   bool resume = false;
 
-  NLOHMANN_DEFINE_TYPE_INTRUSIVE(Job, input, output, expression, amplitude, tolerance, checkpoint,
-                                 iterations, resume)
+  NLOHMANN_DEFINE_TYPE_INTRUSIVE(Job, input, output, expression, solver, amplitude, tolerance,
+                                 checkpoint, iterations, resume)
 
   /// what a checkpoint depends on
   std::string problem() const { return nlohmann::json{input, expression, amplitude}.dump(); }
@@ -69,7 +69,8 @@ struct Options {
 /// what the first process tells of the result
 struct Told {
   CGP::Spin_report report;
-  int vertices = 0, faces = 0;
+  int vertices = 0, faces = 0, border_vertices = 0;
+  bool has_factor = true;
   std::vector<double> megabytes, own_vertices, other_vertices;  // of each process
   std::vector<std::string> left_out;
 };
@@ -147,14 +148,17 @@ void do_job(const Job& job, const Go_further& go_further, const Approve& approve
   CGP::Dirac_options dirac;
   dirac.tolerance = job.tolerance;
   dirac.max_iterations = job.iterations;
+  const Solution_plan plan(mesh, job.solver == "multigrid");
   Checkpoint checkpoint(job.output + ".checkpoint", job.problem(), job.checkpoint);
   const Branch_state start = job.resume ? checkpoint.read(mesh) : Branch_state();
   const auto save = [&](const Branch_state& state) { checkpoint.save(mesh, state); };
   const Distributed_result result =
-      transform(mesh, rho / frame.unit, dirac, {}, start, save, go_further);
+      transform(mesh, plan, rho / frame.unit, dirac, {}, start, save, go_further);
   const Told told{result.report,
                   file->vertices(),
                   file->faces(),
+                  plan.border.ranges.total(),
+                  plan.has_factor,
                   of_each(peak_megabytes()),
                   of_each(mesh.own_vertices()),
                   of_each(mesh.mesh().size_of_vertices() - mesh.own_vertices()),
@@ -173,6 +177,8 @@ void tell(const Told& told, Session& session)
   report.set("result/processes/vertices", Report::Value(told.own_vertices));
   report.set("result/processes/other_vertices", Report::Value(told.other_vertices));
   report.set("result/processes/peak_megabytes", Report::Value(told.megabytes));
+  report.set("result/processes/border_vertices", told.border_vertices);
+  report.set("result/processes/solver", told.has_factor ? "factor" : "multigrid");
   const auto [least, most] = std::minmax_element(told.megabytes.begin(), told.megabytes.end());
   report.show("peak memory of a process (MB)", text_of(*least, 4) + " to " + text_of(*most, 4));
   for (const std::string& what : told.left_out) session.note("left out: " + what);
@@ -198,6 +204,12 @@ void add_options(CLI::App& command, Options& options, Common_options& common)
   advanced(command)
       .add_option("--iterations", job.iterations, "at most so many of the eigensolver")
       ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  advanced(command)
+      .add_option("--solver", job.solver,
+                  "factor, or multigrid, which is taken in any case where the borders between the "
+                  "parts are long")
+      ->check(CLI::IsMember({"factor", "multigrid"}))
       ->capture_default_str();
   advanced(command)
       .add_option("--checkpoint", job.checkpoint, "seconds between two checkpoints")

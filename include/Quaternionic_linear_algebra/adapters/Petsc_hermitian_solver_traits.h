@@ -13,19 +13,13 @@
 namespace Conformal_geometry_processing {
 namespace internal {
 
-// Smoothed aggregation multigrid for a Hermitian matrix with complex blocks as entries, and
-// conjugate gradients preconditioned by it. PETSc (GAMG) coarsens a real matrix with one number per
-// block, the real part: for the complex matrix itself, GAMG would form P^T A P with complex
-// interpolations P, which is not Hermitian.
-//
-// Based on measurements with the Dirac matrix, the smoother is PETSc's default, Chebyshev
-// polynomials of SOR. SOR alone need not be definite when it runs on several processes: with 5
-// processes LOBPCG did not converge in 500 iterations. Coarsening on the graph instead of its
-// square halves the number of iterations. Block ICC takes ten times as many.
-class Petsc_multigrid {
+// Conjugate gradients for a Hermitian matrix, until the norm that belongs to the preconditioner is
+// 1e-13 of that of the right-hand side.
+class Petsc_conjugate_gradients {
  public:
-  // real: n rows; matrix: n rows of `width` numbers each, distributed in the same way
-  Petsc_multigrid(Mat matrix, Mat real, int width)
+  // set_preconditioner(pc) is called once
+  template <class Set>
+  Petsc_conjugate_gradients(Mat matrix, const Set& set_preconditioner)
   {
     check_petsc(KSPCreate(PETSC_COMM_WORLD, m_ksp.renew()));
     check_petsc(KSPSetOptionsPrefix(m_ksp.get(), "conformal_"));
@@ -33,19 +27,19 @@ class Petsc_multigrid {
     check_petsc(KSPSetType(m_ksp.get(), KSPCG));
     check_petsc(KSPSetNormType(m_ksp.get(), KSP_NORM_NATURAL));
     check_petsc(KSPSetTolerances(m_ksp.get(), 1e-13, 1e-300, 1e10, 2000));
-    set_grids(real, width);
+    set_preconditioner(preconditioner());
     check_petsc(KSPSetFromOptions(m_ksp.get()));
     check_petsc(KSPSetUp(m_ksp.get()));
   }
 
-  PC multigrid() const
+  PC preconditioner() const
   {
     PC pc = nullptr;
     check_petsc(KSPGetPC(m_ksp.get(), &pc));
     return pc;
   }
 
-  void apply(Vec b, Vec x) const { check_petsc(PCApply(multigrid(), b, x)); }
+  void apply(Vec b, Vec x) const { check_petsc(PCApply(preconditioner(), b, x)); }
 
   Solver_status solve(Vec b, Vec x) const
   {
@@ -58,55 +52,65 @@ class Petsc_multigrid {
     return is_indefinite ? Solver_status::not_positive_definite : Solver_status::numerical_issue;
   }
 
-  // Number of entries on all levels divided by that of the matrix
-  double complexity() const
-  {
-    PetscReal unknowns = 1, entries = 1;
-    check_petsc(PCMGGetGridComplexity(multigrid(), &unknowns, &entries));
-    return entries;
-  }
-
  private:
-  void set_grids(Mat real, int width)
-  {
-    const Petsc_pc coarsening = coarsen(real);
-    PetscInt levels = 1;
-    check_petsc(PCMGGetLevels(coarsening.get(), &levels));
-    check_petsc(PCSetType(multigrid(), PCMG));
-    check_petsc(PCMGSetLevels(multigrid(), levels, nullptr));
-    check_petsc(PCMGSetGalerkin(multigrid(), PC_MG_GALERKIN_BOTH));
-    for (PetscInt level = 1; level < levels; ++level) {
-      Mat P = nullptr;
-      check_petsc(PCMGGetInterpolation(coarsening.get(), level, &P));
-      const Petsc_mat blocks = with_blocks(P, width);
-      check_petsc(PCMGSetInterpolation(multigrid(), level, blocks.get()));
-    }
-  }
-
-  static Petsc_pc coarsen(Mat real)
-  {
-    Petsc_pc pc;
-    check_petsc(PCCreate(PETSC_COMM_WORLD, pc.renew()));
-    check_petsc(PCSetOptionsPrefix(pc.get(), "conformal_grids_"));
-    check_petsc(PCSetOperators(pc.get(), real, real));
-    check_petsc(PCSetType(pc.get(), PCGAMG));
-    check_petsc(PCSetFromOptions(pc.get()));
-    check_petsc(PCGAMGSetAggressiveLevels(pc.get(), 0));  // has no effect before the options
-    check_petsc(PCSetUp(pc.get()));
-    return pc;
-  }
-
-  // Replaces every entry by its product with the identity matrix of `width` rows.
-  static Petsc_mat with_blocks(Mat P, int width)
-  {
-    Petsc_mat view, blocks;
-    check_petsc(MatCreateMAIJ(P, width, view.renew()));
-    check_petsc(MatConvert(view.get(), MATAIJ, MAT_INITIAL_MATRIX, blocks.renew()));
-    return blocks;
-  }
-
   Petsc_ksp m_ksp;
 };
+
+// Returns the grids of PETSc (GAMG) for a real matrix.
+inline Petsc_pc petsc_coarsening(Mat real)
+{
+  Petsc_pc pc;
+  check_petsc(PCCreate(PETSC_COMM_WORLD, pc.renew()));
+  check_petsc(PCSetOptionsPrefix(pc.get(), "conformal_grids_"));
+  check_petsc(PCSetOperators(pc.get(), real, real));
+  check_petsc(PCSetType(pc.get(), PCGAMG));
+  check_petsc(PCSetFromOptions(pc.get()));
+  check_petsc(PCGAMGSetAggressiveLevels(pc.get(), 0));  // has no effect before the options
+  check_petsc(PCSetUp(pc.get()));
+  return pc;
+}
+
+// Replaces every entry by its product with the identity matrix of `width` rows.
+inline Petsc_mat with_blocks(Mat P, int width)
+{
+  Petsc_mat view, blocks;
+  check_petsc(MatCreateMAIJ(P, width, view.renew()));
+  check_petsc(MatConvert(view.get(), MATAIJ, MAT_INITIAL_MATRIX, blocks.renew()));
+  return blocks;
+}
+
+// Sets pc, of a Hermitian matrix with n rows of `width` complex numbers each, to smoothed
+// aggregation multigrid. PETSc coarsens a real matrix of n rows, which is distributed in the same
+// way, the real part: for the complex matrix itself, GAMG would form P^T A P with complex
+// interpolations P, which is not Hermitian.
+//
+// Based on measurements with the Dirac matrix, the smoother is PETSc's default, Chebyshev
+// polynomials of SOR. SOR alone need not be definite when it runs on several processes: with 5
+// processes LOBPCG did not converge in 500 iterations. Coarsening on the graph instead of its
+// square halves the number of iterations. Block ICC takes ten times as many.
+inline void set_petsc_multigrid(PC pc, Mat real, int width)
+{
+  const Petsc_pc coarsening = petsc_coarsening(real);
+  PetscInt levels = 1;
+  check_petsc(PCMGGetLevels(coarsening.get(), &levels));
+  check_petsc(PCSetType(pc, PCMG));
+  check_petsc(PCMGSetLevels(pc, levels, nullptr));
+  check_petsc(PCMGSetGalerkin(pc, PC_MG_GALERKIN_BOTH));
+  for (PetscInt level = 1; level < levels; ++level) {
+    Mat P = nullptr;
+    check_petsc(PCMGGetInterpolation(coarsening.get(), level, &P));
+    const Petsc_mat blocks = with_blocks(P, width);
+    check_petsc(PCMGSetInterpolation(pc, level, blocks.get()));
+  }
+}
+
+// Number of entries on all levels divided by that of the matrix
+inline double multigrid_complexity(PC pc)
+{
+  PetscReal unknowns = 1, entries = 1;
+  check_petsc(PCMGGetGridComplexity(pc, &unknowns, &entries));
+  return entries;
+}
 
 /// \ingroup PkgLinearAlgebra
 /// \brief Conjugate gradients with the algebraic multigrid of PETSc (GAMG): its matrix, grids and
@@ -180,7 +184,9 @@ class Petsc_hermitian_solver {
           return Solver_status::not_positive_definite;
       m_matrix->set_values(A, shift);
       const Petsc_matrix<FT> real = real_part(A, shift);
-      m_grids.emplace(m_matrix->get(), real.get(), Petsc_matrix<Scalar>::width);
+      m_grids.emplace(m_matrix->get(), [&](PC pc) {
+        set_petsc_multigrid(pc, real.get(), Petsc_matrix<Scalar>::width);
+      });
       return Solver_status::success;
     });
   }
@@ -205,7 +211,7 @@ class Petsc_hermitian_solver {
   {
     Solver_statistics s;
     if (!m_matrix) return s;
-    const double entries = m_entries * (m_grids ? m_grids->complexity() : 1.);
+    const double entries = m_entries * (m_grids ? multigrid_complexity(multigrid()) : 1.);
     const double numbers = Petsc_matrix<Scalar>::width * Petsc_matrix<Scalar>::width;
     s.factor_entries = m_entries;
     s.flops = 8 * 2 * numbers * entries;  // both triangles, complex arithmetic
@@ -214,7 +220,7 @@ class Petsc_hermitian_solver {
   }
 
   /// The multigrid preconditioner, for eigensolvers of SLEPc; null before `factorize()`
-  PC multigrid() const { return m_grids ? m_grids->multigrid() : nullptr; }
+  PC multigrid() const { return m_grids ? m_grids->preconditioner() : nullptr; }
 
  private:
   template <class Action>
@@ -276,7 +282,7 @@ class Petsc_hermitian_solver {
   int m_entries = 0;
   Ordering m_no_ordering;
   std::optional<Petsc_matrix<Scalar>> m_matrix;
-  std::optional<internal::Petsc_multigrid> m_grids;
+  std::optional<internal::Petsc_conjugate_gradients> m_grids;
   internal::Petsc_vec m_b, m_x;
 };
 

@@ -4,7 +4,8 @@
 // Tests examples/conformal/mpi/Distributed_eigenvector.cpp examples/conformal/mpi/collective.cpp
 // Tests examples/conformal/mpi/free_boundary.cpp examples/conformal/mpi/Counted_faces.cpp
 // Tests examples/conformal/mpi/Distributed_matrix.h examples/conformal/mpi/Checkpoint.cpp
-// Tests examples/conformal/mpi/Common_file.h
+// Tests examples/conformal/mpi/Common_file.h examples/conformal/mpi/Border_vertices.cpp
+// Tests examples/conformal/mpi/Distributed_cholesky.h examples/conformal/mpi/Distributed_solver.h
 #include "conformal/input/Surface_input.h"
 #include "program/support.h"
 #include "support/bounded_meshes.h"
@@ -22,6 +23,7 @@ namespace cgp_test::spin_in_parts_tests {
 using namespace program_test;
 
 const std::string rho = " --rho-expression '1.5*sin(3*y+1)*cos(2*x)' --advanced tolerance=1e-9 -q ";
+const std::string multigrid = rho + "--advanced solver=multigrid ";
 
 double diagonal(const Points& p)
 {
@@ -113,8 +115,24 @@ TEST_F(Spin_in_parts, gives_the_surface_of_one_process_without_a_bound)
   for (const Mesh_view& surface : {perturbed(bumpy_sphere(3), .02), dumbbell(3)}) {
     write_ply("a.ply", surface);
     ASSERT_EQ(run("spin a.ply -o one.ply --json one.json --max-scale none" + rho).code, 0);
-    for (const int processes : {1, 2, 3}) expect_same(processes, rho, 1e-8);
+    for (const int processes : {1, 2, 5}) expect_same(processes, rho, 1e-8);
+    expect_same(3, multigrid, 1e-8);
   }
+}
+
+// A factor is exact, however many have a part of it.
+TEST_F(Spin_in_parts, takes_as_many_iterations_on_any_number_of_processes)
+{
+  write_ply("a.ply", perturbed(bumpy_sphere(3), .02));
+  std::vector<int> iterations;
+  for (const int processes : {1, 2, 5}) {
+    ASSERT_EQ(run_on(processes, "a.ply -o b.ply --json b.json" + rho).code, 0);
+    const auto told = json("b.json");
+    EXPECT_EQ(told["processes"]["solver"], "factor");
+    EXPECT_EQ(told["processes"]["border_vertices"] == 0, processes == 1);
+    iterations.push_back(told["iterations"]);
+  }
+  for (const int n : iterations) EXPECT_NEAR(n, iterations[0], .25 * iterations[0]);
 }
 
 TEST_F(Spin_in_parts, gives_the_disk_of_one_process)
@@ -125,6 +143,7 @@ TEST_F(Spin_in_parts, gives_the_disk_of_one_process)
   write_ply("a.ply", perturbed({p, flat.corners()}, .01));
   ASSERT_EQ(run("spin a.ply -o one.ply --json one.json --max-scale none" + rho).code, 0);
   for (const int processes : {1, 2, 3, 4, 7}) expect_same(processes, rho, 1e-8);
+  expect_same(3, multigrid, 1e-8);
 }
 
 // It shifts the eigenvalue, which the first prediction has to know.
@@ -223,7 +242,7 @@ TEST_F(Spin_in_parts, is_resumed_where_it_was_ended)
 TEST_F(Spin_in_parts, ends_where_a_process_is_killed_and_can_be_resumed)
 {
   write_ply("a.ply", dumbbell(2));
-  const std::string arguments = "a.ply --json all.json" + rho;
+  const std::string arguments = "a.ply --json all.json" + multigrid;  // not done at once
   ASSERT_EQ(run_on(3, arguments + "-o all.ply").code, 0);
   const int iterations = json("all.json")["iterations"];
   for (const char* const killed : {"0", "2"}) {
@@ -242,7 +261,7 @@ TEST_F(Spin_in_parts, ends_where_a_process_is_killed_and_can_be_resumed)
               0);  // the others have ended, too
     EXPECT_FALSE(has("b.ply"));
     EXPECT_FALSE(has("b.ply.part"));
-    ASSERT_EQ(run_on(3, "a.ply --json b.json --resume -o b.ply" + rho).code, 0);
+    ASSERT_EQ(run_on(3, "a.ply --json b.json --resume -o b.ply" + multigrid).code, 0);
     EXPECT_LT(int(json("b.json")["iterations"]), iterations);
     const Points expected = mesh("all.ply").positions();
     EXPECT_LT((mesh("b.ply").positions() - expected).colwise().norm().maxCoeff(),
