@@ -14,14 +14,16 @@ def method_table(rows):
          str(sum(row["flipped"] for row in good)), extent((row["overlap"] for row in good), ".2f"),
          extent((row["charts"] for row in good), ".0f")]
         for (method, cuts), some in grouped(rows, "method", "cuts").items()
-        for good in [[row for row in some if row["deviation"] is not None]] if cuts in (16, 64)])
+        for good in [[row for row in some if row["deviation"] is not None]] if cuts in (0, 16, 64)])
 
 
 def blocks(rows):
-    return {"methods": method_table(rows)}
+    return {"methods": method_table([row for row in rows if row["closed"]]),
+            "bounded": method_table([row for row in rows if not row["closed"]])}
 
 
 def figures(rows):
+    rows = [row for row in rows if row["closed"]]
     lines = {method: [(cuts, statistics.median(row["deviation"] for row in some if row["cuts"] == cuts
                                                and row["deviation"] is not None))
                       for cuts in sorted({row["cuts"] for row in some if row["deviation"] is not None})]
