@@ -7,12 +7,15 @@ from page import plot
 from page.tables import count, extent, grouped, table
 
 
+def middle(rows, name, digits):
+    return format(statistics.median(row[name] for row in rows), digits)
+
+
 def method_table(rows):
     return table(["method", "cuts", "verified", "deviation", "Q", "flipped", "overlap", "charts"], [
         [method, str(cuts), f"{count(some, lambda row: row['verified'])}/{len(some)}",
-         extent((row["deviation"] for row in good), ".2f"), extent((row["q"] for row in good), ".3f"),
-         str(sum(row["flipped"] for row in good)), extent((row["overlap"] for row in good), ".2f"),
-         extent((row["charts"] for row in good), ".0f")]
+         extent((row["deviation"] for row in good), ".2f"), middle(good, "q", ".3f"),
+         str(sum(row["flipped"] for row in good)), middle(good, "overlap", ".2f"), middle(good, "charts", ".0f")]
         for (method, cuts), some in grouped(rows, "method", "cuts").items()
         for good in [[row for row in some if row["deviation"] is not None]] if cuts in (0, 16, 64)])
 
