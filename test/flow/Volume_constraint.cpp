@@ -29,10 +29,10 @@ std::vector<Mesh_view> surfaces()
 
 /// what a volume is kept by on a surface: half of that which it has
 struct Kept {
-  explicit Kept(const Mesh_view& mesh)
-      : mesh(mesh),
-        volume(mesh, CGP::enclosure(mesh).reduced_volume / 2, "test"),
-        transformation(mesh)
+  explicit Kept(const Mesh_view& surface)
+      : mesh(surface),
+        volume(surface, CGP::enclosure(surface).reduced_volume / 2, "test"),
+        transformation(surface)
   {}
 
   Volume_constraint::Directions directions()
