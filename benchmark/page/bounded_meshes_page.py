@@ -13,11 +13,15 @@ def is_done(row):
     return row["outcome"].startswith("done")
 
 
+def reason(outcome):
+    """What stands behind the exit code, as far as its first colon."""
+    return outcome.split(": ")[1].split(";")[0]
+
+
 def summary(rows):
-    refused = [f"{row['run']} of {row['mesh']} with {row['boundary']}, {row['outcome'].split(';')[0]}"
+    refused = [f"{row['run']} of {row['mesh'].removesuffix('.off')} with {row['boundary']} ({reason(row['outcome'])})"
                for row in runs(rows) if not is_done(row)]
-    return (f"{count(runs(rows), is_done)} of {len(runs(rows))} are done. The others are refused, stopped by the limit "
-            "of time, or computed and not written because the result does not verify: " + "; ".join(refused) + ".")
+    return f"{count(runs(rows), is_done)} of {len(runs(rows))} are done. The others are refused: " + "; ".join(refused) + "."
 
 
 def run_table(rows):
