@@ -270,7 +270,9 @@ TEST(Solve_dirac_equation, asks_for_one_vector_and_does_not_take_that_of_another
     options.eigensolver = Next_eigenpair{&calls, &most_columns};
     const CGP::internal::Dirac_solution s = solved(mesh, rho, options);
     EXPECT_EQ(s.converged, wrong_calls < 1000);
-    if (s.converged) EXPECT_NEAR(s.eigenvalue, expected.eigenvalue, 1e-8) << wrong_calls;
+    if (s.converged) {
+      EXPECT_NEAR(s.eigenvalue, expected.eigenvalue, 1e-8) << wrong_calls;
+    }
   }
   EXPECT_EQ(most_columns, 1);
 }
