@@ -66,7 +66,7 @@ struct Lane_array {
 #ifdef CGP_HAS_VECTOR_EXTENSIONS
 // A template, because compilers drop the attribute from a type that does not depend on one.
 template <class Number, int size>
-struct Vector_of {
+struct Register_of {
   typedef Number Type __attribute__((vector_size(size * sizeof(Number)), may_alias));
 };
 #endif
@@ -102,8 +102,8 @@ struct Simd_lanes {
   static CGP_ALWAYS_INLINE Register load(const std::int16_t* p)
   {
 #if defined(__clang__) || __GNUC__ >= 9
-    using Short = typename Vector_of<std::int16_t, size>::Type;
-    using Long = typename Vector_of<std::int32_t, size>::Type;
+    using Short = typename Register_of<std::int16_t, size>::Type;
+    using Long = typename Register_of<std::int32_t, size>::Type;
     return __builtin_convertvector(
         __builtin_convertvector(*reinterpret_cast<const Short*>(p), Long), Register);
 #else
