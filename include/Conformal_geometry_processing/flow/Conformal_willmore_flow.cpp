@@ -164,13 +164,15 @@ Flow_step_report::Stop Conformal_willmore_flow::reason_to_end(Verdict last) cons
   if (last == Verdict::rises_slightly || last == Verdict::rises_within_error ||
       last == Verdict::out_of_bound)
     return Flow_step_report::Stop::energy_settled;
-  if (last == Verdict::out_of_limits) return Flow_step_report::Stop::limits_reached;
   // Beyond e^11, the squares of the lengths by the least damping of a snap, 1e-6, exceed 16 digits;
-  // from e^10 on, the next step may lead there.
+  // from e^10 on, the next step may lead there, and
+  // be no conformal map for that.
   const double largest_range = 10;
   const auto scale = map_to(measured(), m_mesh.positions()).scale;
   const bool is_out = m_class && !(std::log(scale.max_scale / scale.min_scale) <= largest_range);
-  return is_out ? Flow_step_report::Stop::scale_range : Flow_step_report::Stop::time_step_too_small;
+  if (is_out) return Flow_step_report::Stop::scale_range;
+  return last == Verdict::out_of_limits ? Flow_step_report::Stop::limits_reached
+                                        : Flow_step_report::Stop::time_step_too_small;
 }
 
 auto Conformal_willmore_flow::try_step(const Eigen::VectorXd& rho, Flow_step_report& report,
