@@ -19,8 +19,8 @@ def reason(outcome):
 
 
 def summary(rows):
-    refused = [f"{row['run']} of {row['mesh'].removesuffix('.off')} with {row['boundary']} ({reason(row['outcome'])})"
-               for row in runs(rows) if not is_done(row)]
+    refused = [f"{row['run']} of {row['mesh'].removesuffix('.off')} with {row['boundary']} "
+               f"({reason(row['outcome'])})" for row in runs(rows) if not is_done(row)]
     return f"{count(runs(rows), is_done)} of {len(runs(rows))} are done. The others are refused: " + "; ".join(refused) + "."
 
 

@@ -165,8 +165,7 @@ Flow_step_report::Stop Conformal_willmore_flow::reason_to_end(Verdict last) cons
       last == Verdict::out_of_bound)
     return Flow_step_report::Stop::energy_settled;
   // Beyond e^11, the squares of the lengths by the least damping of a snap, 1e-6, exceed 16 digits;
-  // from e^10 on, the next step may lead there, and
-  // be no conformal map for that.
+  // from e^10 on, the next step may lead there, and may not be conformal therefore.
   const double largest_range = 10;
   const auto scale = map_to(measured(), m_mesh.positions()).scale;
   const bool is_out = m_class && !(std::log(scale.max_scale / scale.min_scale) <= largest_range);
