@@ -21,7 +21,8 @@ def reason(outcome):
 def summary(rows):
     refused = [f"{row['run']} of {row['mesh'].removesuffix('.off')} with {row['boundary']} "
                f"({reason(row['outcome'])})" for row in runs(rows) if not is_done(row)]
-    return f"{count(runs(rows), is_done)} of {len(runs(rows))} are done. The others are refused: " + "; ".join(refused) + "."
+    return (f"{count(runs(rows), is_done)} of {len(runs(rows))} are done. The others are refused: "
+            + "; ".join(refused) + ".")
 
 
 def run_table(rows):
