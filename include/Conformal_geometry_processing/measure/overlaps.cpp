@@ -88,7 +88,8 @@ std::vector<Flat_face> by_left_end(const Mesh_view& mesh, const Points& position
   return faces;
 }
 
-const double least_share = 1e-6;  // of the smaller face; less is rounding along common edges
+// of the smaller face; less is rounding along common edges
+const double least_share = 1e-6;
 
 }  // namespace
 
