@@ -18,7 +18,8 @@
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
-#include <memory>
+#include <utility>
+#include <vector>
 
 namespace CGP = Conformal_geometry_processing;
 using Quaternion = CGP::Quaternion<double>;
@@ -40,12 +41,10 @@ int main(int argc, char* argv[])
   const CGP::Block<Quaternion> errors = CGP::random_quaternions(n, 3, 2);
 
   //! [matrix]
-  auto pattern = std::make_shared<CGP::Sparse_pattern>();  // each camera sees the next three
-  for (int j = 0; j < n; ++j) {
-    pattern->offsets.push_back(pattern->size_of_entries());
-    for (int i = j; i < (std::min)(j + 4, n); ++i) pattern->indices.push_back(i);
-  }
-  pattern->offsets.push_back(pattern->size_of_entries());
+  std::vector<std::vector<int>> seen(n);  // each camera sees the next three
+  for (int j = 0; j < n; ++j)
+    for (int i = j + 1; i < (std::min)(j + 4, n); ++i) seen[j].push_back(i);
+  const auto pattern = CGP::sparse_pattern(std::move(seen));
   CGP::Hermitian_sparse_matrix<Quaternion> A(pattern);
   for (int j = 0; j < n; ++j)
     for (int i = j + 1; i < (std::min)(j + 4, n); ++i) {

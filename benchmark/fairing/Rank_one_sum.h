@@ -70,20 +70,11 @@ class Rank_one_sum {
   std::shared_ptr<const CGP::Sparse_pattern> pattern(int size) const
   {
     std::vector<std::vector<int>> columns(static_cast<std::size_t>(size));
-    for (std::size_t v = 0; v < columns.size(); ++v) columns[v].push_back(static_cast<int>(v));
     for_each_pair([&](std::size_t, std::size_t p, std::size_t q) {
       const auto [low, high] = std::minmax(m_stencils.vertices[p], m_stencils.vertices[q]);
       columns[static_cast<std::size_t>(low)].push_back(high);
     });
-    auto pattern = std::make_shared<CGP::Sparse_pattern>();
-    pattern->offsets.push_back(0);
-    for (std::vector<int>& rows : columns) {
-      std::sort(rows.begin(), rows.end());
-      rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
-      pattern->indices.insert(pattern->indices.end(), rows.begin(), rows.end());
-      pattern->offsets.push_back(pattern->size_of_entries());
-    }
-    return pattern;
+    return CGP::sparse_pattern(std::move(columns));
   }
 
   Stencils m_stencils;

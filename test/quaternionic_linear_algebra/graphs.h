@@ -7,7 +7,6 @@
 #include <Eigen/Core>
 
 #include <array>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -23,16 +22,9 @@ using Edges = std::vector<std::array<int, 2>>;
 
 inline CGP::Sparse_pattern pattern_of(int n, const Edges& edges)
 {
-  std::vector<std::set<int>> columns(at(n));
-  for (int j = 0; j < n; ++j) columns[at(j)].insert(j);
-  for (const auto& e : edges) columns[at(std::min(e[0], e[1]))].insert(std::max(e[0], e[1]));
-  CGP::Sparse_pattern pattern;
-  pattern.offsets.push_back(0);
-  for (const auto& column : columns) {
-    pattern.indices.insert(pattern.indices.end(), column.begin(), column.end());
-    pattern.offsets.push_back(static_cast<int>(pattern.indices.size()));
-  }
-  return pattern;
+  std::vector<std::vector<int>> columns(at(n));
+  for (const auto& e : edges) columns[at(std::min(e[0], e[1]))].push_back(std::max(e[0], e[1]));
+  return *CGP::sparse_pattern(std::move(columns));
 }
 
 inline CGP::Sparse_pattern pattern_of(const Mesh_view& mesh)

@@ -5,16 +5,9 @@ namespace cgp_test {
 
 Pattern pattern_of_edges(int n, const std::vector<std::pair<int, int>>& edges)
 {
-  std::vector<std::set<int>> rows(at(n));
-  for (int i = 0; i < n; ++i) rows[at(i)].insert(i);
-  for (const auto& [i, j] : edges) rows[at(std::min(i, j))].insert(std::max(i, j));
-  CGP::Sparse_pattern pattern;
-  pattern.offsets.push_back(0);
-  for (const std::set<int>& column : rows) {
-    pattern.indices.insert(pattern.indices.end(), column.begin(), column.end());
-    pattern.offsets.push_back(static_cast<int>(pattern.indices.size()));
-  }
-  return std::make_shared<const CGP::Sparse_pattern>(std::move(pattern));
+  std::vector<std::vector<int>> columns(at(n));
+  for (const auto& [i, j] : edges) columns[at(std::min(i, j))].push_back(std::max(i, j));
+  return CGP::sparse_pattern(std::move(columns));
 }
 
 Pattern random_pattern(int n, std::uint64_t seed)

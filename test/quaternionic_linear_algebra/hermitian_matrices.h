@@ -7,7 +7,6 @@
 
 #include <complex>
 #include <memory>
-#include <set>
 #include <type_traits>
 #include <utility>
 #include <vector>

@@ -13,7 +13,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <memory>
+#include <utility>
+#include <vector>
 
 namespace cgp_test::public_headers_tests {
 
@@ -27,12 +28,9 @@ constexpr int n = 60;
 Matrix turned_path()
 {
   const auto g = CGP::random_quaternions(n, 1, 7);
-  auto pattern = std::make_shared<CGP::Sparse_pattern>();
-  for (int j = 0; j < n; ++j) {
-    pattern->offsets.push_back(pattern->size_of_entries());
-    for (int i = j; i < (std::min)(j + 2, n); ++i) pattern->indices.push_back(i);
-  }
-  pattern->offsets.push_back(pattern->size_of_entries());
+  std::vector<std::vector<int>> columns(n);
+  for (std::size_t j = 0; j + 1 < n; ++j) columns[j].push_back(static_cast<int>(j + 1));
+  const auto pattern = CGP::sparse_pattern(std::move(columns));
   Matrix A(pattern);
   for (int j = 0; j < n; ++j) A.value(pattern->find(j, j)) = {2, 0, 0, 0};
   for (int j = 0; j + 1 < n; ++j) {

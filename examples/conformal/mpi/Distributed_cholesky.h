@@ -264,9 +264,9 @@ class Distributed_cholesky final : public Distributed_factor {
            m_first.factorize(S, {}) == CGP::Solver_status::success;
   }
 
-  std::shared_ptr<CGP::Sparse_pattern> pattern_of(const std::vector<Entry>& between,
-                                                  const std::vector<int>& numbers,
-                                                  const std::vector<int>& sizes) const
+  std::shared_ptr<const CGP::Sparse_pattern> pattern_of(const std::vector<Entry>& between,
+                                                        const std::vector<int>& numbers,
+                                                        const std::vector<int>& sizes) const
   {
     std::vector<std::vector<int>> columns(at(m_border.ranges.total()));
     for (const Entry& e : between) columns[at(e.column)].push_back(e.row);
@@ -278,15 +278,7 @@ class Distributed_cholesky final : public Distributed_factor {
         columns[at(*j)].insert(columns[at(*j)].end(), j, clique.end());
       begin += size;
     }
-    auto pattern = std::make_shared<CGP::Sparse_pattern>();
-    pattern->offsets.push_back(0);
-    for (std::vector<int>& rows : columns) {
-      std::sort(rows.begin(), rows.end());
-      rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
-      pattern->indices.insert(pattern->indices.end(), rows.begin(), rows.end());
-      pattern->offsets.push_back(static_cast<int>(pattern->indices.size()));
-    }
-    return pattern;
+    return CGP::sparse_pattern(std::move(columns));
   }
 
   static void add(const std::vector<Small>& values, const int* clique, int size, Complement& S)

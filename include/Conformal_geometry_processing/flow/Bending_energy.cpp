@@ -4,15 +4,10 @@
 #include <Conformal_geometry_processing/operators/cotan_laplacian.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 
-#include <Eigen/Core>
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <memory>
 #include <utility>
-#include <vector>
 
 namespace Conformal_geometry_processing {
 
@@ -122,18 +117,10 @@ void internal::Bending_matrix::find_pattern(int size)
   for_each_pair([&](const std::pair<int, int>& ends) {
     columns[static_cast<std::size_t>(ends.first)].push_back(ends.second);
   });
-  auto pattern = std::make_shared<Sparse_pattern>();
-  pattern->offsets.push_back(0);
-  for (std::vector<int>& rows : columns) {
-    std::sort(rows.begin(), rows.end());
-    rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
-    pattern->indices.insert(pattern->indices.end(), rows.begin(), rows.end());
-    pattern->offsets.push_back(pattern->size_of_entries());
-  }
+  m_pattern = sparse_pattern(std::move(columns));
   for_each_pair([&](const std::pair<int, int>& ends) {
-    m_places.push_back(pattern->find(ends.second, ends.first));
+    m_places.push_back(m_pattern->find(ends.second, ends.first));
   });
-  m_pattern = std::move(pattern);
 }
 
 }  // namespace Conformal_geometry_processing

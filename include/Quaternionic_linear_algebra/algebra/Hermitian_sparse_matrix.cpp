@@ -3,10 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <memory>
-#include <mutex>
 #include <numeric>
-#include <vector>
 
 namespace Conformal_geometry_processing {
 
@@ -16,6 +13,21 @@ int Sparse_pattern::find(int i, int j) const
   const auto end = indices.begin() + offsets[static_cast<std::size_t>(j) + 1];
   const auto it = std::lower_bound(begin, end, i);
   return it != end && *it == i ? static_cast<int>(it - indices.begin()) : -1;
+}
+
+std::shared_ptr<const Sparse_pattern> sparse_pattern(std::vector<std::vector<int>> columns)
+{
+  auto pattern = std::make_shared<Sparse_pattern>();
+  pattern->offsets.push_back(0);
+  for (std::vector<int>& rows : columns) {
+    rows.push_back(pattern->size());
+    std::sort(rows.begin(), rows.end());
+    const auto end = std::unique(rows.begin(), rows.end());
+    pattern->indices.insert(pattern->indices.end(), rows.begin(), end);
+    pattern->offsets.push_back(pattern->size_of_entries());
+    rows = {};
+  }
+  return pattern;
 }
 
 namespace internal {

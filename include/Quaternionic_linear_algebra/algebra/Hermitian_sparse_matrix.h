@@ -15,7 +15,6 @@ struct Sparse_pattern;
 
 namespace internal {
 
-/// \ingroup PkgAlgebra
 /// The entries of the strictly lower triangle of a pattern, row by row
 struct Lower_rows {
   struct Entry {
@@ -25,7 +24,6 @@ struct Lower_rows {
   std::vector<Entry> entries;  ///< in each row by ascending columns
 };
 
-/// \ingroup PkgAlgebra
 /// \brief The rows of a pattern, from the first time that they are asked for.
 ///
 /// A copy of the pattern, which may be changed, has to find its own.
@@ -82,6 +80,12 @@ struct Sparse_pattern {
     return a.offsets == b.offsets && a.indices == b.indices;
   }
 };
+
+/// \ingroup PkgAlgebra
+/// \brief The pattern that has, besides its diagonal, the rows `columns[j]` in each column j.
+/// \param columns in any order, a row as often as it comes
+/// \pre no row of column j is less than j
+std::shared_ptr<const Sparse_pattern> sparse_pattern(std::vector<std::vector<int>> columns);
 
 /// \ingroup PkgAlgebra
 /// \brief A Hermitian sparse matrix, A_ji = conjugate(A_ij), with values on a fixed pattern.

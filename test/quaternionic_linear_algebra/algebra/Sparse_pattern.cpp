@@ -41,6 +41,12 @@ TEST(Sparse_pattern, compares_by_content)
   EXPECT_FALSE(other == pattern);
 }
 
+TEST(Sparse_pattern, is_made_of_rows_in_any_order_each_as_often_as_it_comes)
+{
+  EXPECT_TRUE(*CGP::sparse_pattern({{3, 1, 3, 0}, {2}, {}, {}}) == pattern);
+  EXPECT_EQ(CGP::sparse_pattern({})->size(), 0);
+}
+
 TEST(Sparse_pattern, lists_its_rows_below_the_diagonal)
 {
   const auto& rows = pattern.rows();

@@ -9,7 +9,8 @@
 #include <cmath>
 #include <complex>
 #include <limits>
-#include <memory>
+#include <utility>
+#include <vector>
 
 namespace cgp_test::subspace_iteration_tests {
 
@@ -61,13 +62,9 @@ TEST(Centered_mass, makes_columns_orthonormal)
 /// the Laplacian of a path: eigenvalues 2 - 2 cos(pi k / n), vectors cos(pi k (i + 1/2) / n)
 CGP::Hermitian_sparse_matrix<double> path(int n)
 {
-  auto pattern = std::make_shared<CGP::Sparse_pattern>();
-  for (int i = 0; i < n; ++i) {
-    pattern->offsets.push_back(pattern->size_of_entries());
-    pattern->indices.push_back(i);
-    if (i + 1 < n) pattern->indices.push_back(i + 1);
-  }
-  pattern->offsets.push_back(pattern->size_of_entries());
+  std::vector<std::vector<int>> columns(at(n));
+  for (int i = 0; i + 1 < n; ++i) columns[at(i)].push_back(i + 1);
+  const auto pattern = CGP::sparse_pattern(std::move(columns));
   CGP::Hermitian_sparse_matrix<double> L(pattern);
   for (int i = 0; i + 1 < n; ++i) {
     L.value(pattern->find(i, i)) += 1;
