@@ -85,10 +85,10 @@ void compare(const std::string& path)
     Potential rho = smooth_potential(mesh, amplitude), zero = rho;
     zero.values.setZero();
     rho.values.array() += CGP::solve_dirac_equation(system, rho).eigenvalue;
-    system.set_preconditioner(zero, seconds);
+    system.set_potential(zero, seconds, System::Use::preconditioner);
     const int spins_by_zero = spin_iterations(system, rho);
     const int responses = response_iterations(system, smooth, zero);
-    system.set_preconditioner(rho, seconds);
+    system.set_potential(rho, seconds, System::Use::preconditioner);
     const int spins = spin_iterations(system, rho);
     std::printf(R"({"mesh": "%s", "amplitude": %g, "spins": [%d, %d], "responses": [%d, %d]})"
                 "\n",

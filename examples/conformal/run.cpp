@@ -29,18 +29,19 @@
 namespace conformal {
 namespace {
 
-Ending ending_of(const CGP::Solver_error& error)
+Ending ending_of(const CGP::Solver_error& error, const std::string& where)
 {
   if (CGP::is_out_of_memory(error))
-    return {Exit_code::out_of_memory, error.message() + ": " + why_memory_is_out()};
+    return {Exit_code::out_of_memory, where + error.message() + ": " + why_memory_is_out()};
   return {Exit_code::failed,
-          error.message() + "; try: less of a change, or a mesh without slivers"};
+          where + error.message() + "; try: less of a change, or a mesh without slivers"};
 }
 
 }  // namespace
 
-Ending ending_of_exception()
+Ending ending_of_exception(const std::string& input)
 {
+  const std::string where = input.empty() ? "" : input + ": ";
   try {
     throw;
   } catch (const Failure& failure) {
@@ -50,9 +51,9 @@ Ending ending_of_exception()
   } catch (const Write_error& error) {
     return {Exit_code::unwritable, error.what()};
   } catch (const CGP::Solver_error& error) {
-    return ending_of(error);
+    return ending_of(error, where);
   } catch (const CGP::Precondition_error& error) {
-    return {Exit_code::unsuitable, error.message()};
+    return {Exit_code::unsuitable, where + error.message()};
   } catch (const std::bad_alloc&) {
     return {Exit_code::out_of_memory, why_memory_is_out()};
   } catch (const std::exception& error) {
@@ -61,21 +62,6 @@ Ending ending_of_exception()
 }
 
 namespace {
-
-// Adds the file name, which errors of the library do not contain.
-void run_with_name(const Command& command, Session& session)
-{
-  try {
-    command.run(session);
-  } catch (const CGP::Precondition_error& error) {
-    if (session.input().empty()) throw;
-    throw unsuitable(session.input(), error.message());
-  } catch (const CGP::Solver_error& error) {
-    if (session.input().empty()) throw;
-    const Ending ending = ending_of(error);
-    throw Failure(ending.code, session.input() + ": " + ending.error);
-  }
-}
 
 // A reader such as `head` that ends early has had what it wanted, and that is not an error; the
 // rest goes nowhere.
@@ -105,11 +91,12 @@ Ending run_command(const Command_line& line)
   session.outcome().command = line.command->name;
   session.report() = line.options;
   Report_files files;
-  Ending ending = carry_out([&] {
+  const auto work = [&] {
     require_separate_outputs(line);
     files.open(line.common);
-    run_with_name(*line.command, session);
-  });
+    line.command->run(session);
+  };
+  Ending ending = carry_out(work, session.input());
   const Ending printed = carry_out([&] { print_tables(session); });
   if (ending.code == Exit_code::done) ending = printed;
   if (is_interrupted(ending) && !session.keeps_report()) return ending;

@@ -3,6 +3,8 @@
 
 #include "conformal/report/Outcome.h"
 
+#include <string>
+
 namespace conformal {
 
 /// The whole program: executes the command line, prints one line on stderr on failure, and returns
@@ -10,17 +12,19 @@ namespace conformal {
 int run(int argc, const char* const* argv);
 
 /// the exit code and the message of the exception at hand
-Ending ending_of_exception();
+/// \param input named in errors of the library, if it is not empty
+Ending ending_of_exception(const std::string& input);
 
 /// how work ends: with that of what it throws
+/// \param input is that which the work has set, see `ending_of_exception()`
 template <class Work>
-Ending carry_out(const Work& work)
+Ending carry_out(const Work& work, const std::string& input = "")
 {
   try {
     work();
     return {};
   } catch (...) {
-    return ending_of_exception();
+    return ending_of_exception(input);
   }
 }
 

@@ -19,6 +19,8 @@ namespace cgp_test::dirac_system_tests {
 
 class Dirac_system : public testing::Test {
  protected:
+  using Use = CGP::internal::Dirac_system::Use;
+
   void set_potential(double amplitude)
   {
     system.set_potential(smooth_potential(mesh, amplitude), seconds);
@@ -98,7 +100,7 @@ TEST_F(Dirac_system, solves_with_its_matrix_and_the_shift_of_its_factor)
 {
   const Quaternion_matrix b = random_quaternions(mesh.size_of_vertices(), 1);
   for (const double least : {1e-3, 1e-2}) {
-    system.set_potential(smooth_potential(mesh, 1), seconds, least);
+    system.set_potential(smooth_potential(mesh, 1), seconds, Use::solution, least);
     EXPECT_NEAR(system.shift(), least * system.unit(), 1e-15);
     const Quaternion_vector<double> x = system.solve(b).col(0);
     Quaternion_vector<double> image = system.matrix() * x;
@@ -191,9 +193,9 @@ TEST_F(Dirac_system, is_shifted_below_zero_as_long_as_it_stays_definite)
   set_potential(1);
   const double mu = smallest_pairs(1).values[0] / system.unit();
   ASSERT_GT(mu, 1e-3);
-  system.set_preconditioner(rho, seconds, -mu / 2);
+  system.set_potential(rho, seconds, Use::preconditioner, -mu / 2);
   EXPECT_NEAR(system.shift(), -mu / 2 * system.unit(), 1e-15);
-  system.set_preconditioner(rho, seconds, -2 * mu);
+  system.set_potential(rho, seconds, Use::preconditioner, -2 * mu);
   EXPECT_NEAR(system.shift(), 1e-3 * system.unit(), 1e-15);
 }
 

@@ -13,6 +13,8 @@ ASSEMBLY = f"{sources.LIBRARY}::assemble_dirac_energy"
 FRAME = re.compile(r"^#\d+ .* at (\S+):\d+$", re.MULTILINE)
 ANY_FRAME = re.compile(r"^#\d+ ", re.MULTILINE)
 END = "end of a call stack"
+# that of the libraries, which do not depend on the vector unit of the machine
+ALIGNMENT = ["-DEIGEN_MAX_ALIGN_BYTES=16", "-DEIGEN_MALLOC_ALREADY_ALIGNED=0"]
 GDB = f"""set pagination off
 set width 0
 set confirm off
@@ -34,7 +36,12 @@ def build(folder):
                "-DCGP_BUILD_BENCHMARKS=OFF", "-DCGP_BUILD_PYTHON=OFF", "-DCGP_BUILD_DOC=OFF",
                "-DCGP_STUDIO=OFF", "-DCGP_HTML_REPORT=OFF", "-DCGP_COMMANDS=spin"]
     subprocess.run(["cmake", "-S", sources.ROOT, "-B", folder, *options], check=True)
-    subprocess.run(["cmake", "--build", folder, "--target", "conformal", "first_program"], check=True)
+    subprocess.run(["cmake", "--build", folder, "--target", "conformal"], check=True)
+    libraries = [f"-L{folder}", f"-Wl,-rpath,{folder}", "-lconformal_geometry_kernels",
+                 "-lconformal_geometry_linear_algebra", "-lgmp", "-lmpfr"]
+    flags = ["-std=c++17", "-O0", "-g1", *ALIGNMENT, f"-I{sources.INCLUDE}", "-isystem", "/usr/include/eigen3"]
+    subprocess.run(["c++", *flags, sources.ROOT / "examples/first_program.cpp", *libraries,
+                    "-o", folder / "examples/first_program"], check=True)
     return folder / "examples"
 
 

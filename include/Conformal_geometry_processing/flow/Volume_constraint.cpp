@@ -9,11 +9,8 @@
 #include <Conformal_geometry_processing/spin/Spin_derivative.h>
 #include <Quaternionic_linear_algebra/exceptions.h>
 
-#include <Eigen/Core>
-
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 namespace Conformal_geometry_processing::internal {
 
@@ -96,7 +93,7 @@ auto Volume_constraint::directions(Spin_transformation& transformation,
   const double w = 10;  // in 4 pi / area: the volume of lobes curves by about as much
   Dirac_system& system = transformation.system();
   Dirac_evidence::Seconds seconds;
-  system.set_potential(no_potential(system.surface()), seconds, w);
+  system.set_potential(no_potential(system.surface()), seconds, Dirac_system::Use::solution, w);
   Directions d;
   d.factorizations = 1;
   const Eigen::VectorXd z = others.project_out(gradient(transformation, d.solves));

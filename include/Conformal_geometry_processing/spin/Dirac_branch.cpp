@@ -1,18 +1,10 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/spin/Dirac_branch.h>
 
-#include <Conformal_geometry_processing/operators/dirac_energy.h>
-#include <Conformal_geometry_processing/spin/Dirac_system.h>
-#include <Conformal_geometry_processing/spin/follow_branch.h>
 #include <Quaternionic_linear_algebra/dense/block_operators.h>
 #include <Quaternionic_linear_algebra/direct/Stopwatch.h>
-#include <Quaternionic_linear_algebra/krylov/Eigensolver_result.h>
 #include <Quaternionic_linear_algebra/krylov/Lobpcg.h>
 
-#include <Eigen/Core>
-
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace Conformal_geometry_processing::internal {
@@ -80,7 +72,7 @@ void Dirac_branch::place_pole(double t, double sigma)
 {
   m_pole.t = t;
   m_pole.gamma = sigma;
-  m_system.set_preconditioner(potential(t, sigma), m_s.seconds);
+  m_system.set_potential(potential(t, sigma), m_s.seconds, System::Use::preconditioner);
   ++m_s.factorizations;
 }
 

@@ -1,30 +1,20 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/spin/Dirac_system.h>
 
-#include <Conformal_geometry_processing/operators/dirac_energy.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 #include <Conformal_geometry_processing/operators/vertex_graph.h>
-#include <Conformal_geometry_processing/spin/Boundary_condition.h>
-#include <Conformal_geometry_processing/spin/Prescribed_directions.h>
-#include <Conformal_geometry_processing/spin/Prescribed_positions.h>
 #include <Conformal_geometry_processing/spin/Spin_residual.h>
 #include <Conformal_geometry_processing/spin/gauge.h>
 #include <Quaternionic_linear_algebra/algebra/Quaternion_vector.h>
-#include <Quaternionic_linear_algebra/dense/block_operators.h>
 #include <Quaternionic_linear_algebra/direct/Stopwatch.h>
 #include <Quaternionic_linear_algebra/exceptions.h>
 #include <Quaternionic_linear_algebra/krylov/conjugate_gradients.h>
 
-#include <Eigen/Core>
-
 #include <algorithm>
 #include <cmath>
-#include <memory>
-#include <string>
 #include <utility>
 
 namespace Conformal_geometry_processing {
-
 namespace internal {
 
 void remove_mean(Block<Quaternion<double>>& v, const Eigen::VectorXd& masses)
@@ -122,9 +112,9 @@ void internal::Dirac_system::assemble(const Curvature_potential& rho,
   seconds.assembly += watch.lap();
 }
 
-void internal::Dirac_system::factorize_for(const Curvature_potential& rho,
-                                           internal::Dirac_evidence::Seconds& seconds, double least,
-                                           Use use)
+void internal::Dirac_system::set_potential(const Curvature_potential& rho,
+                                           internal::Dirac_evidence::Seconds& seconds, Use use,
+                                           double least)
 {
   assemble(rho, seconds);
   internal::Stopwatch watch;
@@ -140,13 +130,13 @@ void internal::Dirac_system::factorize_for(const Curvature_potential& rho,
   seconds.factorization += watch.lap();
 }
 
-void internal::Dirac_system::factorize_for(const Curvature_potential& rho,
-                                           internal::Dirac_evidence::Seconds& seconds,
-                                           const Eigen::VectorXd& shift, Use use)
+void internal::Dirac_system::set_potential(const Curvature_potential& rho,
+                                           const Eigen::VectorXd& shift,
+                                           internal::Dirac_evidence::Seconds& seconds)
 {
   assemble(rho, seconds);
   internal::Stopwatch watch;
-  check("factorization", factorize(shift, use));
+  check("factorization", factorize(shift, Use::solution));
   seconds.factorization += watch.lap();
 }
 
@@ -170,9 +160,9 @@ void internal::Dirac_system::prepare_response()
   internal::Dirac_evidence::Seconds seconds;
   const Curvature_potential none = no_potential(m_surface);
   if (m_is_closed)
-    set_preconditioner(none, seconds);
+    set_potential(none, seconds, Use::preconditioner);
   else if (m_directions)
-    set_potential(none, seconds, 1e-6);
+    set_potential(none, seconds, Use::solution, 1e-6);
   else
     set_potential(none, nearness_weight(m_surface) * m_areas, seconds);
 }

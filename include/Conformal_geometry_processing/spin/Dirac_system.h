@@ -21,7 +21,6 @@
 
 namespace Conformal_geometry_processing::internal {
 
-/// \ingroup PkgSpin
 /// \brief the discrete operator D - rho of a surface in least-squares form, X = (D - R)^H M (D -
 /// R), on a space of spins, with the factor of X [CGP (5.3), Alg. 2].
 ///
@@ -40,6 +39,9 @@ class Dirac_system {
   using Solver = Solver_ref<Quaternion<double>>;
   using Directions = Prescribed_directions;
   using Positions = Prescribed_positions;
+
+  /// what a factor is for: `precondition()` alone takes a less exact one
+  enum class Use { solution, preconditioner };
 
   /// \param surface must outlive the object
   /// \param function named in exceptions
@@ -89,35 +91,22 @@ class Dirac_system {
   /// smallest eigenvalue; if the solver finds the matrix not positive definite then, 1e-3 is tried.
   /// \throw Solver_error if X is not positive definite up to rounding, or memory is short
   void set_potential(const Curvature_potential& rho, Dirac_evidence::Seconds& seconds,
-                     double least = 1e-3)
-  {
-    factorize_for(rho, seconds, least, Use::solution);
-  }
-
-  /// the same for `precondition()` only: the factor may be less exact
-  void set_preconditioner(const Curvature_potential& rho, Dirac_evidence::Seconds& seconds,
-                          double least = 1e-3)
-  {
-    factorize_for(rho, seconds, least, Use::preconditioner);
-  }
+                     Use use = Use::solution, double least = 1e-3);
 
   /// \brief the same with a given shift of the diagonal, |V|.
   /// \throw Solver_error as above
   void set_potential(const Curvature_potential& rho, const Eigen::VectorXd& shift,
-                     Dirac_evidence::Seconds& seconds)
-  {
-    factorize_for(rho, seconds, shift, Use::solution);
-  }
+                     Dirac_evidence::Seconds& seconds);
 
   /// the shift of the last `set_potential()` with a share, as a multiple of M_V
   double shift() const { return m_shift; }
 
   /// \brief solves (X + shift) x = b in the space.
-  /// \pre `set_potential()` was called last
+  /// \pre `set_potential()` was called last, for solutions
   Vectors solve(const Vectors& b) const;
 
   /// \brief the same as accurately as a preconditioner.
-  /// \pre `set_potential()` or `set_preconditioner()` was called last
+  /// \pre `set_potential()` was called last, for whatever use
   Vectors precondition(const Vectors& b) const;
 
   /// \brief factors X for rho = 0, for `response()`.
@@ -176,13 +165,7 @@ class Dirac_system {
   Quaternion_vector<double> normalized(Quaternion_vector<double> lambda) const;
 
  private:
-  enum class Use { solution, preconditioner };
-
   void check(const char* step, Solver_status status) const;
-  void factorize_for(const Curvature_potential& rho, Dirac_evidence::Seconds& seconds, double least,
-                     Use use);
-  void factorize_for(const Curvature_potential& rho, Dirac_evidence::Seconds& seconds,
-                     const Eigen::VectorXd& shift, Use use);
   Solver_status factorize(const Eigen::VectorXd& shift, Use use);
 
   std::string m_function;
@@ -200,7 +183,6 @@ class Dirac_system {
   int m_changes = 0;
 };
 
-/// \ingroup PkgSpin
 /// \brief solves X y = c on a connected closed surface, where the kernel of X = D^H M D consists of
 /// the constants: y has mean zero, and the mean of c, which is not in the range of X, is removed.
 ///

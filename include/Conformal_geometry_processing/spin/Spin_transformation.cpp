@@ -3,24 +3,13 @@
 
 #include <Conformal_geometry_processing/operators/Curvature_potential.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
-#include <Conformal_geometry_processing/spin/Boundary_condition.h>
-#include <Conformal_geometry_processing/spin/Exactness_constraints.h>
-#include <Conformal_geometry_processing/spin/Poisson_reconstruction.h>
 #include <Conformal_geometry_processing/spin/certify.h>
 #include <Conformal_geometry_processing/spin/gauge.h>
 #include <Conformal_geometry_processing/spin/snap_to_class.h>
-#include <Conformal_geometry_processing/spin/solve_dirac_equation.h>
 #include <Conformal_geometry_processing/spin/transformed_edges.h>
 #include <Quaternionic_linear_algebra/threads/Thread_team.h>
 
-#include <Eigen/Core>
-
-#include <cmath>
 #include <limits>
-#include <memory>
-#include <optional>
-#include <string>
-#include <utility>
 
 namespace Conformal_geometry_processing {
 
@@ -129,20 +118,6 @@ void Spin_transformation::require_potential(const Curvature_potential& rho) cons
 {
   Conformal_geometry_processing::require_potential(domain().mesh(), rho, domain().unit(),
                                                    m_function);
-}
-
-Spin_result Spin_transformation::transform(const Curvature_potential& rho,
-                                           const internal::Go_further& go_further) &&
-{
-  const internal::Thread_team team;
-  m_visits.require_no_visit(m_function);
-  // Relaxed spins need both factors, the exact class the surface before all steps.
-  if (is_relaxed() || m_options.exact_conformal_class) return transform(rho, go_further);
-  require_potential(rho);
-  Spin_result result = solve(rho, go_further);
-  system().release();
-  if (!result.report.cancelled) reconstruct(result);
-  return judged(std::move(result), rho);
 }
 
 Spin_result Spin_transformation::step(const Curvature_potential& rho,

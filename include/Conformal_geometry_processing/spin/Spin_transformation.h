@@ -61,7 +61,6 @@ struct Spin_transformation_options {
 
 namespace internal {
 
-/// \ingroup PkgSpin
 /// \brief the bound on lengths where the caller gives none: `default_scale_bound`, or
 /// `default_bound_of_wanted_scales` if there are wanted factors; no bound where the boundary has
 /// prescribed positions or directions, which fix scales.
@@ -181,12 +180,7 @@ class Spin_transformation {
   /// `go_further` calls back one of the functions that compute
   /// \throw Solver_error if a factorization fails. Failure to converge is a field of the report.
   Spin_result transform(const Curvature_potential& rho,
-                        const internal::Go_further& go_further = internal::Always_go_further()) &;
-
-  /// the last transformation by this object: needs less memory, because the two factors do not
-  /// exist at the same time
-  Spin_result transform(const Curvature_potential& rho,
-                        const internal::Go_further& go_further = internal::Always_go_further()) &&;
+                        const internal::Go_further& go_further = internal::Always_go_further());
 
   /// \brief approximates `transform()` for a rho that changes little from call to call, as under a
   /// brush: where lengths are bounded or loops have to close, by a few steps from the spins of the

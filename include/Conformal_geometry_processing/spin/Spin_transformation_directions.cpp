@@ -12,7 +12,6 @@
 #include <vector>
 
 namespace Conformal_geometry_processing {
-
 namespace internal {
 
 /// a vector of the kernel

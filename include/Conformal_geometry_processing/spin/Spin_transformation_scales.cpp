@@ -12,19 +12,22 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <utility>
 
 namespace Conformal_geometry_processing {
 
 Spin_result Spin_transformation::transform(const Curvature_potential& rho,
-                                           const internal::Go_further& go_further) &
+                                           const internal::Go_further& go_further)
 {
   const internal::Thread_team team;
   m_visits.require_no_visit(m_function);
   require_potential(rho);
   Spin_result result =
-      is_relaxed() ? relaxed(rho, m_options.scales, 1, go_further) : trial_step(rho, go_further);
+      is_relaxed() ? relaxed(rho, m_options.scales, 1, go_further) : solve(rho, go_further);
+  if (!is_relaxed() && !result.report.cancelled) {
+    system().release();  // that of the Laplacian is the only factor then
+    reconstruct(result);
+  }
   const bool is_found = result.report.converged && !result.report.cancelled;
   if (m_options.exact_conformal_class && is_found)
     result = on_class(std::move(result), rho, go_further);

@@ -4,8 +4,6 @@
 #include <Quaternionic_linear_algebra/dense/hermitian_eigen_decomposition.h>
 #include <Quaternionic_linear_algebra/exceptions.h>
 
-#include <Eigen/Core>
-
 namespace Conformal_geometry_processing {
 
 Vector<Quaternion<double>> constant_spins(const internal::Reduced_basis<double>& basis)
@@ -43,7 +41,7 @@ void solve_generalized_dirac(internal::Dirac_system& system, const Curvature_pot
                              const internal::Go_further& go_further)
 {
   const double gamma = dirac_quotient(system.surface(), rho, s.lambda);
-  system.set_preconditioner(rho, s.seconds);
+  system.set_potential(rho, s.seconds, internal::Dirac_system::Use::preconditioner);
   ++s.factorizations;
   const double mu =
       inner_product(s.lambda, system.matrix() * s.lambda).w / system.squared_norm(s.lambda);
@@ -167,5 +165,4 @@ Dirac_forms forms_in_space(const Dirac_system& system, const Curvature_potential
 }
 
 }  // namespace internal
-
 }  // namespace Conformal_geometry_processing
