@@ -3,8 +3,11 @@
 #include <Quaternionic_linear_algebra/adapters/Eigen_hermitian_solver_traits.h>
 
 #include "factors.h"
+#include "support/Real_form_traits.h"
 
 namespace cgp_benchmark {
+
+using cgp_test::Real_form_traits;
 
 void add_other_factors(std::vector<Row>& rows)
 {
@@ -17,12 +20,12 @@ void add_other_factors(std::vector<Row>& rows)
       measure_factor<CGP::Cholmod_hermitian_solver_traits::Solver<Quaternion>>, 300'000,
       "takes a minute and 6 GB");
   add("CHOLMOD, real 4n",
-      measure_factor<CGP::internal::Cholmod_real_hermitian_solver_traits::Solver<Quaternion>>,
-      300'000, "takes minutes and 12 GB");
+      measure_factor<Real_form_traits<CGP::internal::Cholmod_backend>::Solver<Quaternion>>, 300'000,
+      "takes minutes and 12 GB");
   add("Eigen, complex 2n", measure_factor<CGP::Eigen_hermitian_solver_traits::Solver<Quaternion>>,
       20'000, "time grows like the square of the size");
   add("Eigen, real 4n",
-      measure_factor<CGP::internal::Eigen_real_hermitian_solver_traits::Solver<Quaternion>>, 20'000,
+      measure_factor<Real_form_traits<CGP::internal::Eigen_backend>::Solver<Quaternion>>, 20'000,
       "time grows like the square of the size");
 }
 

@@ -13,12 +13,9 @@ using namespace Conformal_geometry_processing;
 ///
 /// \cgalHasModelsBegin
 /// \cgalHasModels{`Conformal_geometry_processing::Supernodal_solver_traits`, the default,}
-/// \cgalHasModels{`Conformal_geometry_processing::Supernodal_real_solver_traits`,}
 /// \cgalHasModels{`Conformal_geometry_processing::Cholmod_hermitian_solver_traits`,}
-/// \cgalHasModels{`Conformal_geometry_processing::Cholmod_real_hermitian_solver_traits`,}
 /// \cgalHasModels{`Conformal_geometry_processing::Petsc_hermitian_solver_traits`,}
-/// \cgalHasModels{`Conformal_geometry_processing::Eigen_hermitian_solver_traits`,}
-/// \cgalHasModels{`Conformal_geometry_processing::Eigen_real_hermitian_solver_traits`.}
+/// \cgalHasModels{`Conformal_geometry_processing::Eigen_hermitian_solver_traits`.}
 /// \cgalHasModelsEnd
 class SparseHermitianSolverTraits {
  public:

@@ -2,18 +2,18 @@
 // Tests include/Conformal_geometry_processing/spin/Spin_transformation.h
 #include <Quaternionic_linear_algebra/adapters/Cholmod_hermitian_solver_traits.h>
 #include <Quaternionic_linear_algebra/adapters/Eigen_hermitian_solver_traits.h>
-#include <Quaternionic_linear_algebra/adapters/Supernodal_real_solver_traits.h>
 #include <Quaternionic_linear_algebra/krylov/inverse_power_method.h>
 
 #include "spin/solver_agreement.h"
 #include "support/Double_solver_traits.h"
+#include "support/Real_form_traits.h"
 
 namespace cgp_test::spin_transformation_solvers_cholmod_tests {
 
 using Models = testing::Types<
-    Double_solver_traits, CGP::internal::Supernodal_real_solver_traits,
-    CGP::Cholmod_hermitian_solver_traits, CGP::internal::Cholmod_real_hermitian_solver_traits,
-    CGP::Eigen_hermitian_solver_traits, CGP::internal::Eigen_real_hermitian_solver_traits>;
+    Double_solver_traits, Real_form_traits<Supernodal_backend>,
+    CGP::Cholmod_hermitian_solver_traits, Real_form_traits<CGP::internal::Cholmod_backend>,
+    CGP::Eigen_hermitian_solver_traits, Real_form_traits<CGP::internal::Eigen_backend>>;
 INSTANTIATE_TYPED_TEST_SUITE_P(Every_model, Spin_solver, Models);
 
 TEST(Spin_transformation_solvers, is_the_same_with_both_eigenvalue_solvers)

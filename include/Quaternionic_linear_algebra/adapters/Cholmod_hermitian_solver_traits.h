@@ -7,8 +7,6 @@
 
 #include <cholmod.h>
 
-#include <vector>
-
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgLinearAlgebra
@@ -31,7 +29,6 @@ inline Solver_status cholmod_status(int status)
 
 namespace internal {
 
-/// \ingroup PkgLinearAlgebra
 /// \brief Supernodal LL^H factorization by CHOLMOD, as a backend of `Embedded_hermitian_solver`.
 ///
 /// This is the only header that includes CHOLMOD, whose supernodal module is under the GPL. The
@@ -150,18 +147,5 @@ struct Cholmod_hermitian_solver_traits {
   template <class Scalar>
   using Solver = Embedded_hermitian_solver<Scalar, internal::Cholmod_backend>;
 };
-
-namespace internal {
-
-/// \ingroup PkgLinearAlgebra
-/// \brief `Cholmod_hermitian_solver_traits` with quaternionic matrices in their real 4n x 4n form;
-/// two to three times slower than the complex form, useful as a cross-check.
-/// \cgalModels{SparseHermitianSolverTraits}
-struct Cholmod_real_hermitian_solver_traits {
-  template <class Scalar>
-  using Solver = Embedded_hermitian_solver<Scalar, Cholmod_backend, Real_embedding>;
-};
-
-}  // namespace internal
 
 }  // namespace Conformal_geometry_processing

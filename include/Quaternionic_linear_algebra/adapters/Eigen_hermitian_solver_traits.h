@@ -10,10 +10,8 @@
 #include <complex>
 
 namespace Conformal_geometry_processing {
-
 namespace internal {
 
-/// \ingroup PkgLinearAlgebra
 /// \brief Simplicial LDL^H factorization by Eigen, as a backend of `Embedded_hermitian_solver`.
 template <class Entry>
 class Eigen_backend {
@@ -86,18 +84,5 @@ struct Eigen_hermitian_solver_traits {
   template <class Scalar>
   using Solver = Embedded_hermitian_solver<Scalar, internal::Eigen_backend>;
 };
-
-namespace internal {
-
-/// \ingroup PkgLinearAlgebra
-/// \brief `Eigen_hermitian_solver_traits` with quaternionic matrices in their real 4n x 4n form;
-/// two to three times slower than the complex form, useful as a cross-check.
-/// \cgalModels{SparseHermitianSolverTraits}
-struct Eigen_real_hermitian_solver_traits {
-  template <class Scalar>
-  using Solver = Embedded_hermitian_solver<Scalar, Eigen_backend, Real_embedding>;
-};
-
-}  // namespace internal
 
 }  // namespace Conformal_geometry_processing

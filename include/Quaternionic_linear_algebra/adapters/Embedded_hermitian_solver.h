@@ -24,7 +24,6 @@
 namespace Conformal_geometry_processing {
 namespace internal {
 
-/// \ingroup PkgLinearAlgebra
 /// \brief Represents a scalar as a `width` x `width` matrix of entries that other libraries
 /// support, which acts on vectors of `width` coordinates; numbers represent themselves.
 template <class Scalar>
@@ -41,7 +40,6 @@ struct Number_embedding {
   static Scalar from_entries(const Entry* entries) { return *entries; }
 };
 
-/// \ingroup PkgLinearAlgebra
 /// \brief A `Number_embedding` with quaternions as complex 2 x 2 matrices; takes half the memory
 /// and time of real 4 x 4 matrices.
 template <class Scalar>
@@ -64,7 +62,6 @@ struct Complex_embedding<Quaternion<FT>> {
   }
 };
 
-/// \ingroup PkgLinearAlgebra
 /// \brief A `Number_embedding` with quaternions as real 4 x 4 matrices, for libraries that support
 /// real numbers only.
 template <class Scalar>
@@ -98,7 +95,6 @@ inline int embedded_entries(std::int64_t n, std::int64_t blocks, std::int64_t wi
   return static_cast<int>(entries);
 }
 
-/// \ingroup PkgLinearAlgebra
 /// \brief A Hermitian sparse matrix as an `Eigen::SparseMatrix` of numbers, in elimination order.
 ///
 /// Row k of the result is row `order[k]` of the given matrix; only the lower triangle is stored.

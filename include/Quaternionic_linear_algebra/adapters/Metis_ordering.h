@@ -14,7 +14,6 @@
 #include <vector>
 
 namespace Conformal_geometry_processing {
-
 namespace internal {
 
 /// \throws std::bad_alloc, Solver_error if the status is not METIS_OK

@@ -112,7 +112,6 @@ inline double multigrid_complexity(PC pc)
   return entries;
 }
 
-/// \ingroup PkgLinearAlgebra
 /// \brief Conjugate gradients with the algebraic multigrid of PETSc (GAMG): its matrix, grids and
 /// vectors are divided among the processes of `PETSC_COMM_WORLD`; what calls it, with the mesh, the
 /// matrix and all results, is replicated on each of them. `conformal-mpi` divides these as well.

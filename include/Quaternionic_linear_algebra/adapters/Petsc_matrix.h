@@ -91,7 +91,6 @@ using Petsc_scatter = Petsc_handle<VecScatter, VecScatterDestroy>;
 using Petsc_pc = Petsc_handle<PC, PCDestroy>;
 using Petsc_ksp = Petsc_handle<KSP, KSPDestroy>;
 
-/// \ingroup PkgLinearAlgebra
 /// \brief A Hermitian sparse matrix, replicated on all processes of `PETSC_COMM_WORLD`, as a
 /// complex PETSc matrix that is distributed by rows over them.
 ///

@@ -3,11 +3,12 @@
 #include <Quaternionic_linear_algebra/adapters/Eigen_hermitian_solver_traits.h>
 
 #include "quaternionic_linear_algebra/solver_laws.h"
+#include "support/Real_form_traits.h"
 
 namespace cgp_test::eigen_hermitian_solver_traits_tests {
 
 using Traits = CGP::Eigen_hermitian_solver_traits;
-using Real_traits = CGP::internal::Eigen_real_hermitian_solver_traits;
+using Real_traits = Real_form_traits<CGP::internal::Eigen_backend>;
 using Solvers =
     testing::Types<Traits::Solver<double>, Traits::Solver<Quaternion<double>>,
                    Real_traits::Solver<double>, Real_traits::Solver<Quaternion<double>>>;

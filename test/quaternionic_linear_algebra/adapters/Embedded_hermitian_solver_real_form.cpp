@@ -1,13 +1,12 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-// Tests
-// include/Quaternionic_linear_algebra/adapters/Supernodal_real_solver_traits.h
-#include <Quaternionic_linear_algebra/adapters/Supernodal_real_solver_traits.h>
+// Tests include/Quaternionic_linear_algebra/adapters/Embedded_hermitian_solver.h
+#include "support/Real_form_traits.h"
 
 #include "quaternionic_linear_algebra/solver_laws.h"
 
-namespace cgp_test::supernodal_real_solver_traits_tests {
+namespace cgp_test::embedded_hermitian_solver_real_form_tests {
 
-using Traits = CGP::internal::Supernodal_real_solver_traits;
+using Traits = Real_form_traits<Supernodal_backend>;
 using Solvers = testing::Types<Traits::Solver<double>, Traits::Solver<Quaternion<double>>>;
 INSTANTIATE_TYPED_TEST_SUITE_P(Supernodal_real, Hermitian_solver, Solvers);
 
@@ -27,4 +26,4 @@ TEST(Supernodal_real_solver, stores_about_as_many_blocks_as_the_quaternionic_fac
   EXPECT_GT(blocks(real), blocks(quaternionic) / 1.3);
 }
 
-}  // namespace cgp_test::supernodal_real_solver_traits_tests
+}  // namespace cgp_test::embedded_hermitian_solver_real_form_tests
