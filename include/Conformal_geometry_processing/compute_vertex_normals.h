@@ -21,14 +21,8 @@ namespace Conformal_geometry_processing {
 /// \param np optional, as follows
 ///
 /// \cgalNamedParamsBegin
-///   \cgalParamNBegin{vertex_point_map}
-///     \cgalParamDescription{the points of the vertices}
-///     \cgalParamDefault{the points in the mesh}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{geom_traits}
-///     \cgalParamDescription{accesses the coordinates of a point}
-///     \cgalParamType{a model of `ConformalGeometryTraits_3`}
-///     \cgalParamDefault{the kernel of the points}
+///   \cgalParamNBegin{vertex_point_map, geom_traits}
+///     \cgalParamDescription{see `conformal_parameterization()`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///

@@ -9,10 +9,6 @@
 #include <Conformal_geometry_processing/spin/Conformal_deformation.h>
 #include <Conformal_geometry_processing/spin/Spin_report.h>
 
-#include <CGAL/number_utils.h>
-
-#include <utility>
-
 namespace Conformal_geometry_processing {
 namespace internal {
 
@@ -32,8 +28,7 @@ Conformal_deformation_options conformal_deformation_options(const Graph_view<Tri
   Conformal_deformation_options options;
   read_exactness_and_mollification(np, options.surface);
   read_scale_control(graph, np, options.surface);
-  options.position_weight = CGAL::to_double(CGAL::parameters::choose_parameter(
-      CGAL::parameters::get_parameter(np, internal_np::position_weight), options.position_weight));
+  read_parameter(np, internal_np::position_weight, options.position_weight);
   if constexpr (has_parameter<NamedParameters, internal_np::vertex_region_map_t>)
     options.region = read_vertex_numbers(
         graph, CGAL::parameters::get_parameter(np, internal_np::vertex_region_map));
@@ -77,26 +72,15 @@ Conformal_deformation_options conformal_deformation_options(const Graph_view<Tri
 /// \param np optional named parameters
 ///
 /// \cgalNamedParamsBegin
-///   \cgalParamNBegin{vertex_point_map}
-///     \cgalParamDescription{the points of the vertices; read, and written unless
-///                           `output_vertex_point_map` is given}
-///     \cgalParamType{a model of `ReadWritePropertyMap` with the vertex descriptor as key}
-///     \cgalParamDefault{`get(CGAL::vertex_point, mesh)`}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{output_vertex_point_map}
-///     \cgalParamDescription{receives the new points}
-///     \cgalParamType{a model of `WritablePropertyMap` with the vertex descriptor as key}
-///     \cgalParamDefault{the vertex point map}
+///   \cgalParamNBegin{vertex_point_map, output_vertex_point_map, geom_traits, sparse_solver,
+///                    visitor}
+///     \cgalParamDescription{see `spin_transform()`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{vertex_spin_map}
 ///     \cgalParamDescription{receives lambda, with the turn and the scale of the similarity}
 ///     \cgalParamType{a model of `WritablePropertyMap`; its value is any type that
 ///                    `Quaternion_access` knows}
 ///     \cgalParamDefault{none}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{geom_traits}
-///     \cgalParamType{a model of `ConformalGeometryTraits_3`}
-///     \cgalParamDefault{the kernel of the points}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{position_weight}
 ///     \cgalParamDescription{weight of the distances from the targets against rho, in multiples of
@@ -146,16 +130,6 @@ Conformal_deformation_options conformal_deformation_options(const Graph_view<Tri
 ///     \cgalParamType{`Spin_report::Limits`}
 ///     \cgalParamDefault{`Spin_report::Limits()` with `realised_share` 1}
 ///   \cgalParamNEnd
-///   \cgalParamNBegin{sparse_solver}
-///     \cgalParamDescription{the linear solver; only its type matters, not its value}
-///     \cgalParamType{a model of `SparseHermitianSolverTraits`}
-///     \cgalParamDefault{`Default_solver_traits`}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{visitor}
-///     \cgalParamDescription{is called after every iteration and may cancel}
-///     \cgalParamType{a `std::reference_wrapper` of a model of `SpinVisitor`}
-///     \cgalParamDefault{`Spin_visitor`}
-///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
 /// \returns the report, which converts to `true` if the surface is what was requested. Otherwise
@@ -180,7 +154,7 @@ Spin_report conformal_deformation(TriangleMesh& mesh, const TargetRange& targets
       graph, targets, internal::geometry_traits<TriangleMesh>(np), function);
   internal::Conformal_deformation deformation(graph.view(), options, function);
   Spin_result result = deformation.deform(points, internal::asking(visitor));
-  result.report.limits = internal::parameter_or(np, internal_np::limits, result.report.limits);
+  internal::read_parameter(np, internal_np::limits, result.report.limits);
   if (result.report) internal::write_spin_result(mesh, graph, result, np);
   return result.report;
 }

@@ -9,8 +9,6 @@
 #include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Quaternionic_linear_algebra/exceptions.h>
 
-#include <CGAL/number_utils.h>
-
 #include <string>
 #include <unordered_set>
 #include <utility>
@@ -39,15 +37,10 @@ std::vector<char> read_region(const Graph_view<TriangleMesh>& graph, const FaceR
 template <class NamedParameters>
 Fairing_options fairing_options(const NamedParameters& np, const std::string& function)
 {
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter;
   Fairing_options options;
-  options.exact_conformal_class = choose_parameter(
-      get_parameter(np, internal_np::exact_conformal_class), options.exact_conformal_class);
-  options.max_steps = static_cast<int>(choose_parameter(
-      get_parameter(np, CGAL::internal_np::number_of_iterations), options.max_steps));
-  options.tolerance = CGAL::to_double(
-      choose_parameter(get_parameter(np, internal_np::tolerance), options.tolerance));
+  read_parameter(np, internal_np::exact_conformal_class, options.exact_conformal_class);
+  read_parameter(np, CGAL::internal_np::number_of_iterations, options.max_steps);
+  read_parameter(np, internal_np::tolerance, options.tolerance);
   if (!(options.tolerance > 0)) throw Precondition_error(function, "the tolerance is not positive");
   return options;
 }
@@ -105,20 +98,8 @@ Fairing_options fairing_options(const NamedParameters& np, const std::string& fu
 ///     \cgalParamType{a `std::reference_wrapper` of a model of `FlowVisitor`}
 ///     \cgalParamDefault{`Flow_visitor`}
 ///   \cgalParamNEnd
-///   \cgalParamNBegin{vertex_point_map}
-///     \cgalParamDescription{the points of the vertices; read, and written unless
-///                           `output_vertex_point_map` is given}
-///     \cgalParamType{a model of `ReadWritePropertyMap` with the vertex descriptor as key}
-///     \cgalParamDefault{`get(CGAL::vertex_point, mesh)`}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{output_vertex_point_map}
-///     \cgalParamDescription{receives the new points of all vertices}
-///     \cgalParamType{a model of `WritablePropertyMap` with the vertex descriptor as key}
-///     \cgalParamDefault{the vertex point map}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{geom_traits}
-///     \cgalParamType{a model of `ConformalGeometryTraits_3`}
-///     \cgalParamDefault{the kernel of the points}
+///   \cgalParamNBegin{vertex_point_map, output_vertex_point_map, geom_traits}
+///     \cgalParamDescription{see `spin_transform()`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///

@@ -29,10 +29,9 @@ template <class NamedParameters>
 Parameterization_options parameterization_options(const NamedParameters& np)
 {
   Parameterization_options options;
-  options.tolerance = parameter_or(np, internal_np::tolerance, options.tolerance);
-  options.maximum_number_of_iterations = static_cast<int>(parameter_or(
-      np, CGAL::internal_np::number_of_iterations, options.maximum_number_of_iterations));
-  options.solvers = parameter_or(np, internal_np::sparse_solver, Map_solvers());
+  read_parameter(np, internal_np::tolerance, options.tolerance);
+  read_parameter(np, CGAL::internal_np::number_of_iterations, options.maximum_number_of_iterations);
+  read_parameter(np, internal_np::sparse_solver, options.solvers);
   return options;
 }
 

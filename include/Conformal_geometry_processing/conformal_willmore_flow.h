@@ -21,29 +21,21 @@ namespace internal {
 template <class NamedParameters>
 Flow_options flow_options(const NamedParameters& np)
 {
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter;
   Flow_options o;
-  o.time_step = choose_parameter(get_parameter(np, internal_np::time_step), o.time_step);
-  o.max_steps = static_cast<int>(
-      choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations), o.max_steps));
-  o.energy_tolerance =
-      choose_parameter(get_parameter(np, internal_np::tolerance), o.energy_tolerance);
-  if constexpr (has_parameter<NamedParameters, internal_np::scale_bound_t>)
-    o.surface.scales.bound = get_parameter(np, internal_np::scale_bound);
+  read_parameter(np, internal_np::time_step, o.time_step);
+  read_parameter(np, CGAL::internal_np::number_of_iterations, o.max_steps);
+  read_parameter(np, internal_np::tolerance, o.energy_tolerance);
+  read_parameter(np, internal_np::scale_bound, o.surface.scales.bound);
   read_exactness_and_mollification(np, o.surface);
   const Filter_options filter =
       parameter_or(np, internal_np::filter, Filter_options{o.filter_weight, o.filter_order});
   o.filter_weight = filter.weight;
   o.filter_order = filter.order;
-  o.balance = choose_parameter(get_parameter(np, internal_np::balance), o.balance);
-  o.surface.exact_conformal_class = choose_parameter(
-      get_parameter(np, internal_np::exact_conformal_class), o.surface.exact_conformal_class);
-  if constexpr (has_parameter<NamedParameters, internal_np::reduced_volume_t>)
-    o.reduced_volume = get_parameter(np, internal_np::reduced_volume);
-  o.surface.dirac = parameter_or(np, internal_np::dirac, o.surface.dirac);
-  o.surface.dirac.random_seed = static_cast<unsigned>(choose_parameter(
-      get_parameter(np, CGAL::internal_np::random_seed), o.surface.dirac.random_seed));
+  read_parameter(np, internal_np::balance, o.balance);
+  read_parameter(np, internal_np::exact_conformal_class, o.surface.exact_conformal_class);
+  read_parameter(np, internal_np::reduced_volume, o.reduced_volume);
+  read_parameter(np, internal_np::dirac, o.surface.dirac);
+  read_parameter(np, CGAL::internal_np::random_seed, o.surface.dirac.random_seed);
   return o;
 }
 
@@ -222,25 +214,8 @@ Flow_result flow_result(const Graph_view<TriangleMesh>& graph, const NamedParame
 ///     \cgalParamType{a `std::reference_wrapper` of a model of `FlowVisitor`}
 ///     \cgalParamDefault{`Flow_visitor`}
 ///   \cgalParamNEnd
-///   \cgalParamNBegin{vertex_point_map}
-///     \cgalParamDescription{the points of the vertices; read, and written unless
-///                           `output_vertex_point_map` is given}
-///     \cgalParamType{a model of `ReadWritePropertyMap` with the vertex descriptor as key}
-///     \cgalParamDefault{`get(CGAL::vertex_point, mesh)`}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{output_vertex_point_map}
-///     \cgalParamDescription{receives the new points}
-///     \cgalParamType{a model of `WritablePropertyMap` with the vertex descriptor as key}
-///     \cgalParamDefault{the vertex point map}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{geom_traits}
-///     \cgalParamType{a model of `ConformalGeometryTraits_3`}
-///     \cgalParamDefault{the kernel of the points}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{sparse_solver}
-///     \cgalParamDescription{the linear solver; only its type matters, not its value}
-///     \cgalParamType{a model of `SparseHermitianSolverTraits`}
-///     \cgalParamDefault{`Default_solver_traits`}
+///   \cgalParamNBegin{vertex_point_map, output_vertex_point_map, geom_traits, sparse_solver}
+///     \cgalParamDescription{see `spin_transform()`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{dirac}
 ///     \cgalParamDescription{how spins are found, such as the eigensolver}

@@ -17,15 +17,11 @@ namespace internal {
 template <class NamedParameters>
 Dirac_spectrum_options dirac_spectrum_options(const NamedParameters& np)
 {
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter;
   Dirac_spectrum_options o;
-  o.shift = choose_parameter(get_parameter(np, internal_np::spectral_shift), o.shift);
-  o.tolerance = choose_parameter(get_parameter(np, internal_np::tolerance), o.tolerance);
-  o.max_restarts = static_cast<int>(
-      choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations), o.max_restarts));
-  o.random_seed = static_cast<unsigned>(
-      choose_parameter(get_parameter(np, CGAL::internal_np::random_seed), o.random_seed));
+  read_parameter(np, internal_np::spectral_shift, o.shift);
+  read_parameter(np, internal_np::tolerance, o.tolerance);
+  read_parameter(np, CGAL::internal_np::number_of_iterations, o.max_restarts);
+  read_parameter(np, CGAL::internal_np::random_seed, o.random_seed);
   return o;
 }
 
@@ -54,19 +50,11 @@ Dirac_spectrum_options dirac_spectrum_options(const NamedParameters& np)
 /// \param np optional named parameters
 ///
 /// \cgalNamedParamsBegin
-///   \cgalParamNBegin{vertex_point_map}
-///     \cgalParamDescription{the points of the vertices}
-///     \cgalParamType{a model of `ReadablePropertyMap` with the vertex descriptor as key}
-///     \cgalParamDefault{`get(CGAL::vertex_point, mesh)`}
+///   \cgalParamNBegin{vertex_point_map, geom_traits}
+///     \cgalParamDescription{see `conformal_parameterization()`}
 ///   \cgalParamNEnd
-///   \cgalParamNBegin{geom_traits}
-///     \cgalParamType{a model of `ConformalGeometryTraits_3`}
-///     \cgalParamDefault{the kernel of the points}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{sparse_solver}
-///     \cgalParamDescription{the linear solver; only its type matters, not its value}
-///     \cgalParamType{a model of `SparseHermitianSolverTraits`}
-///     \cgalParamDefault{`Default_solver_traits`}
+///   \cgalParamNBegin{sparse_solver, random_seed}
+///     \cgalParamDescription{see `spin_transform()`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{curvature_potential_map}
 ///     \cgalParamDescription{rho, in 1/length}
@@ -98,10 +86,6 @@ Dirac_spectrum_options dirac_spectrum_options(const NamedParameters& np)
 ///     \cgalParamDescription{maximal number of restarts}
 ///     \cgalParamType{`int`}
 ///     \cgalParamDefault{100}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{random_seed}
-///     \cgalParamType{`unsigned int`}
-///     \cgalParamDefault{0}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///

@@ -28,31 +28,14 @@ namespace Conformal_geometry_processing {
 /// \param np optional named parameters
 ///
 /// \cgalNamedParamsBegin
-///   \cgalParamNBegin{vertex_point_map}
-///     \cgalParamDescription{the points of the vertices; read, and written unless
-///                           `output_vertex_point_map` is given}
-///     \cgalParamType{a model of `ReadWritePropertyMap` with the vertex descriptor as key}
-///     \cgalParamDefault{`get(CGAL::vertex_point, mesh)`}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{output_vertex_point_map}
-///     \cgalParamDescription{receives the new points}
-///     \cgalParamType{a model of `WritablePropertyMap` with the vertex descriptor as key}
-///     \cgalParamDefault{the vertex point map}
+///   \cgalParamNBegin{vertex_point_map, output_vertex_point_map, geom_traits, sparse_solver}
+///     \cgalParamDescription{see `spin_transform()`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{vertex_spin_map}
 ///     \cgalParamDescription{receives lambda}
 ///     \cgalParamType{a model of `WritablePropertyMap` whose value type is supported by
 ///                    `Quaternion_access`}
 ///     \cgalParamDefault{none}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{geom_traits}
-///     \cgalParamType{a model of `ConformalGeometryTraits_3`}
-///     \cgalParamDefault{the kernel of the points}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{sparse_solver}
-///     \cgalParamDescription{the linear solver; only its type matters, not its value}
-///     \cgalParamType{a model of `SparseHermitianSolverTraits`}
-///     \cgalParamDefault{`Default_solver_traits`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///

@@ -39,13 +39,8 @@ namespace Conformal_geometry_processing {
 ///     \cgalParamType{`Filter_options`}
 ///     \cgalParamDefault{`Filter_options()`}
 ///   \cgalParamNEnd
-///   \cgalParamNBegin{vertex_point_map}
-///     \cgalParamDescription{the points of the vertices}
-///     \cgalParamDefault{`get(CGAL::vertex_point, mesh)`}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{geom_traits}
-///     \cgalParamType{a model of `ConformalGeometryTraits_3`}
-///     \cgalParamDefault{the kernel of the points}
+///   \cgalParamNBegin{vertex_point_map, geom_traits}
+///     \cgalParamDescription{see `conformal_parameterization()`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{sparse_solver}
 ///     \cgalParamType{a model of `SparseHermitianSolverTraits`}

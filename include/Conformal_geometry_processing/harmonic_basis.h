@@ -27,7 +27,6 @@
 namespace Conformal_geometry_processing {
 namespace internal {
 
-/// \ingroup PkgForms
 /// \brief The harmonic 1-forms of a mesh and their tangent fields, as property maps of its
 /// halfedges and faces: the result of `harmonic_basis()`.
 ///
@@ -203,14 +202,8 @@ class Harmonic_forms {
 /// \param np optional named parameters
 ///
 /// \cgalNamedParamsBegin
-///   \cgalParamNBegin{vertex_point_map}
-///     \cgalParamDescription{the points of the vertices}
-///     \cgalParamType{a model of `ReadablePropertyMap` with the vertex descriptor as key}
-///     \cgalParamDefault{`get(CGAL::vertex_point, mesh)`}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{geom_traits}
-///     \cgalParamType{a model of `ConformalGeometryTraits_3`}
-///     \cgalParamDefault{the kernel of the points}
+///   \cgalParamNBegin{vertex_point_map, geom_traits}
+///     \cgalParamDescription{see `conformal_parameterization()`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{sparse_solver}
 ///     \cgalParamDescription{the linear solver; only its type matters, not its value}

@@ -103,15 +103,11 @@ void write_points(PointRange& points, const Plane_points& positions, const Named
 template <class NamedParameters>
 Curve_flow_options curve_flow_options(const NamedParameters& np)
 {
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter;
   Curve_flow_options o;
-  o.is_closed = choose_parameter(get_parameter(np, internal_np::is_closed), o.is_closed);
-  o.time_step = choose_parameter(get_parameter(np, internal_np::time_step), o.time_step);
-  o.max_steps = static_cast<int>(
-      choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations), o.max_steps));
-  o.energy_tolerance =
-      choose_parameter(get_parameter(np, internal_np::tolerance), o.energy_tolerance);
+  read_parameter(np, internal_np::is_closed, o.is_closed);
+  read_parameter(np, internal_np::time_step, o.time_step);
+  read_parameter(np, CGAL::internal_np::number_of_iterations, o.max_steps);
+  read_parameter(np, internal_np::tolerance, o.energy_tolerance);
   return o;
 }
 

@@ -30,14 +30,8 @@ namespace Conformal_geometry_processing {
 /// \param np optional named parameters
 ///
 /// \cgalNamedParamsBegin
-///   \cgalParamNBegin{vertex_point_map}
-///     \cgalParamDescription{the points of the vertices}
-///     \cgalParamType{a model of `ReadablePropertyMap` with the vertex descriptor as key}
-///     \cgalParamDefault{`get(CGAL::vertex_point, mesh)`}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{geom_traits}
-///     \cgalParamType{a model of `ConformalGeometryTraits_3`}
-///     \cgalParamDefault{the kernel of the points}
+///   \cgalParamNBegin{vertex_point_map, geom_traits}
+///     \cgalParamDescription{see `conformal_parameterization()`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///

@@ -10,16 +10,12 @@
 
 #include <CGAL/number_utils.h>
 
-#include <boost/property_map/property_map.hpp>
-
 #include <cmath>
 #include <string>
 
 namespace Conformal_geometry_processing {
-
 namespace internal {
 
-/// \ingroup PkgEntryPoints
 /// \brief Scaling of the surface by a Moebius map: lengths at a vertex change by |lambda|^2.
 struct Moebius_report {
   double min_length_scale = 0;
@@ -42,12 +38,7 @@ Moebius_report apply_around(const Eigen::Vector3d& center, const Moebius_map& ma
   const Points around = graph.view().positions().colwise() - center;
   const Quaternion_vector<double> lambda = map.spins(around, function);
   const Points image = map.transform(around, function).colwise() + center;
-  if constexpr (has_parameter<NamedParameters, internal_np::vertex_spin_map_t>) {
-    auto spins = CGAL::parameters::get_parameter(np, internal_np::vertex_spin_map);
-    using Value = typename boost::property_traits<decltype(spins)>::value_type;
-    for (int v = 0; v < graph.view().size_of_vertices(); ++v)
-      put(spins, graph.vertex(v), Quaternion_access<Value>::to(lambda[v]));
-  }
+  write_spins(graph, lambda, np);
   write_points(mesh, graph, image, np);
   if (lambda.size() == 0) return {};
   const auto scales = components(lambda).colwise().squaredNorm();
@@ -70,26 +61,14 @@ Moebius_report apply_around(const Eigen::Vector3d& center, const Moebius_map& ma
 /// \param np optional, as follows
 ///
 /// \cgalNamedParamsBegin
-///   \cgalParamNBegin{vertex_point_map}
-///     \cgalParamDescription{the points of the vertices; read, and written unless
-///                           `output_vertex_point_map` is given}
-///     \cgalParamType{a model of `ReadWritePropertyMap` with the vertex descriptor as key}
-///     \cgalParamDefault{`get(CGAL::vertex_point, mesh)`}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{output_vertex_point_map}
-///     \cgalParamDescription{receives the new points}
-///     \cgalParamType{a model of `WritablePropertyMap` with the vertex descriptor as key}
-///     \cgalParamDefault{the vertex point map}
+///   \cgalParamNBegin{vertex_point_map, output_vertex_point_map, geom_traits}
+///     \cgalParamDescription{see `spin_transform()`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{vertex_spin_map}
 ///     \cgalParamDescription{receives lambda, with df~ = conjugate(lambda) df lambda}
 ///     \cgalParamType{a model of `WritablePropertyMap` whose value type is supported by
 ///                    `Quaternion_access`}
 ///     \cgalParamDefault{none}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{geom_traits}
-///     \cgalParamType{a model of `ConformalGeometryTraits_3`}
-///     \cgalParamDefault{the kernel of the points}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///

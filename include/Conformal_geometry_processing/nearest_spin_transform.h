@@ -59,19 +59,6 @@ Points read_points(const TriangleMesh& mesh, PointMap points, const NamedParamet
 /// \param np optional named parameters
 ///
 /// \cgalNamedParamsBegin
-///   \cgalParamNBegin{vertex_point_map}
-///     \cgalParamDescription{the points of the vertices; read, and written unless
-///                           `output_vertex_point_map` is given}
-///     \cgalParamDefault{`get(CGAL::vertex_point, mesh)`}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{output_vertex_point_map}
-///     \cgalParamDescription{receives the new points}
-///     \cgalParamDefault{the vertex point map}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{vertex_spin_map}
-///     \cgalParamDescription{receives lambda}
-///     \cgalParamDefault{none}
-///   \cgalParamNEnd
 ///   \cgalParamNBegin{vertex_scale_map}
 ///     \cgalParamDescription{factors by which lengths are scaled additionally}
 ///     \cgalParamType{a model of `ReadablePropertyMap` with the vertex descriptor as key and a
@@ -101,15 +88,9 @@ Points read_points(const TriangleMesh& mesh, PointMap points, const NamedParamet
 ///     \cgalParamType{`Boundary_direction`}
 ///     \cgalParamDefault{the tangent}
 ///   \cgalParamNEnd
-///   \cgalParamNBegin{exactness}
-///     \cgalParamDescription{how handles are kept closed; `std::nullopt`: not at all, in one step}
-///     \cgalParamType{`Exactness`, or `std::nullopt`}
-///     \cgalParamDefault{`Exactness::adjoint`}
-///   \cgalParamNEnd
 ///   \cgalParamNBegin{limits}
 ///     \cgalParamDescription{what counts as success, see `Spin_report::fault()`; the search comes
-///     as
-///                           near to the target as they allow}
+///                           as near to the target as they allow}
 ///     \cgalParamType{`Spin_report::Limits`}
 ///     \cgalParamDefault{`Spin_report::Limits()`}
 ///   \cgalParamNEnd
@@ -119,8 +100,9 @@ Points read_points(const TriangleMesh& mesh, PointMap points, const NamedParamet
 ///     \cgalParamType{`double`, between 0 and 1; 1e-6 is a good value}
 ///     \cgalParamDefault{none: faces of area zero are rejected}
 ///   \cgalParamNEnd
-///   \cgalParamNBegin{geom_traits, sparse_solver, dirac, tolerance,
-///                    number_of_iterations, random_seed, visitor}
+///   \cgalParamNBegin{vertex_point_map, output_vertex_point_map, vertex_spin_map, exactness,
+///                    geom_traits, sparse_solver, dirac, tolerance, number_of_iterations,
+///                    random_seed, visitor}
 ///     \cgalParamDescription{see `spin_transform()`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
@@ -156,8 +138,7 @@ Nearest_spin_report nearest_spin_transform(TriangleMesh& mesh, PointMap target_p
     options.direction = {d.tangent, d.normal, d.binormal};
   }
   internal::read_request(np, options.surface);
-  if constexpr (internal::has_parameter<NamedParameters, internal_np::scale_bound_t>)
-    options.surface.scales.bound = CGAL::parameters::get_parameter(np, internal_np::scale_bound);
+  internal::read_parameter(np, internal_np::scale_bound, options.surface.scales.bound);
   Nearest_spin_transformation nearest(
       graph.view(), internal::read_points(mesh, target_points, np, function), function, options);
   if constexpr (internal::has_parameter<NamedParameters, internal_np::vertex_scale_map_t>) {
@@ -167,8 +148,8 @@ Nearest_spin_report nearest_spin_transform(TriangleMesh& mesh, PointMap target_p
   Spin_visitor silent;
   auto&& visitor = internal::parameter_or(np, CGAL::internal_np::visitor, silent);
   Nearest_spin_result result = nearest.transform(internal::asking(visitor));
-  const double t = CGAL::parameters::choose_parameter(
-      CGAL::parameters::get_parameter(np, internal_np::blend), 0.);
+  double t = 0;
+  internal::read_parameter(np, internal_np::blend, t);
   if (t != 0 && result.report) result = nearest.blend(result, t);
   if (result.report) internal::write_spin_result(mesh, graph, result, np);
   Nearest_spin_report report;

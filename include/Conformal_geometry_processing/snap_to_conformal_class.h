@@ -43,20 +43,8 @@ namespace Conformal_geometry_processing {
 ///     \cgalParamType{`unsigned int`}
 ///     \cgalParamDefault{40}
 ///   \cgalParamNEnd
-///   \cgalParamNBegin{vertex_point_map}
-///     \cgalParamDescription{the points of the vertices; read, and written unless
-///                           `output_vertex_point_map` is given}
-///     \cgalParamType{a model of `ReadWritePropertyMap` with the vertex descriptor as key}
-///     \cgalParamDefault{`get(CGAL::vertex_point, mesh)`}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{output_vertex_point_map}
-///     \cgalParamDescription{receives the new points}
-///     \cgalParamType{a model of `WritablePropertyMap` with the vertex descriptor as key}
-///     \cgalParamDefault{the vertex point map}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{geom_traits}
-///     \cgalParamType{a model of `ConformalGeometryTraits_3`}
-///     \cgalParamDefault{the kernel of the points}
+///   \cgalParamNBegin{vertex_point_map, output_vertex_point_map, geom_traits}
+///     \cgalParamDescription{see `spin_transform()`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
@@ -72,8 +60,6 @@ internal::Class_snap_report snap_to_conformal_class(
     TriangleMesh& mesh, PointMap reference_points,
     const NamedParameters& np = parameters::default_values())
 {
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter;
   static_assert(
       internal::only_known_parameters<
           NamedParameters, CGAL::internal_np::vertex_point_t, CGAL::internal_np::geom_traits_t,
@@ -87,10 +73,10 @@ internal::Class_snap_report snap_to_conformal_class(
   internal::require_edge_lengths(graph.view(), function);
   internal::require_edge_lengths(reference.view(), function);
   internal::Snap_options options;
-  options.tolerance =
-      choose_parameter(get_parameter(np, internal_np::tolerance), 4 * options.tolerance) / 4;
-  options.max_iterations = static_cast<int>(choose_parameter(
-      get_parameter(np, CGAL::internal_np::number_of_iterations), options.max_iterations));
+  double tolerance = 4 * options.tolerance;
+  internal::read_parameter(np, internal_np::tolerance, tolerance);
+  options.tolerance = tolerance / 4;
+  internal::read_parameter(np, CGAL::internal_np::number_of_iterations, options.max_iterations);
   Points positions = graph.view().positions();
   const auto report = internal::snap_to_class(reference.view(), positions, options);
   if (report) internal::write_points(mesh, graph, positions, np);

@@ -37,8 +37,7 @@ Spin_transformation_options spin_transformation_options(const Graph_view<Triangl
   options.boundary = boundary_condition(graph, np, function);
   read_request(np, options);
   read_scale_control(graph, np, options);
-  options.exact_conformal_class = CGAL::parameters::choose_parameter(
-      CGAL::parameters::get_parameter(np, internal_np::exact_conformal_class), false);
+  read_parameter(np, internal_np::exact_conformal_class, options.exact_conformal_class);
   return options;
 }
 

@@ -7,7 +7,6 @@
 #include <Conformal_geometry_processing/spin_transform.h>
 
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace Conformal_geometry_processing {

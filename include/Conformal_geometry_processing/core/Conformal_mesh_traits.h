@@ -20,7 +20,6 @@
 namespace Conformal_geometry_processing {
 namespace internal {
 
-/// \ingroup PkgMesh
 /// \brief Numbers the current vertices or faces of a mesh, for meshes whose elements have no
 /// indices. One hash table look-up per access.
 ///
@@ -51,7 +50,6 @@ class Element_numbering {
   std::unordered_map<Descriptor, std::size_t, boost::hash<Descriptor>> m_numbers;
 };
 
-/// \ingroup PkgMesh
 /// \brief A property map that owns its values, outside the mesh; copies share them.
 ///
 /// A model of `LvaluePropertyMap`. Several maps may share one numbering. Elements are identified by

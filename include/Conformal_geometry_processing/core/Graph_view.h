@@ -12,7 +12,6 @@
 
 #include <boost/graph/graph_traits.hpp>
 
-#include <array>
 #include <cstddef>
 #include <string>
 #include <utility>

@@ -127,8 +127,7 @@ Boundary_condition boundary_condition(const Graph_view<TriangleMesh>& graph,
     const auto traits = geometry_traits<TriangleMesh>(np);
     condition.kind = Boundary_condition::Kind::positions;
     condition.targets = read_points(graph, vertices, target, traits);
-    condition.weight = CGAL::to_double(CGAL::parameters::choose_parameter(
-        get_parameter(np, internal_np::position_weight), condition.weight));
+    read_parameter(np, internal_np::position_weight, condition.weight);
     if constexpr (has_parameter<NamedParameters, CGAL::internal_np::vertex_normal_map_t>) {
       const auto normals = get_parameter(np, CGAL::internal_np::vertex_normal_map);
       condition.normals = read_vectors(graph, vertices, normals);

@@ -13,14 +13,10 @@ namespace Conformal_geometry_processing::internal {
 template <class NamedParameters>
 void read_dirac_options(const NamedParameters& np, Dirac_options& o)
 {
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter;
-  o = parameter_or(np, internal_np::dirac, o);
-  o.tolerance = choose_parameter(get_parameter(np, internal_np::tolerance), o.tolerance);
-  o.max_iterations = static_cast<int>(choose_parameter(
-      get_parameter(np, CGAL::internal_np::number_of_iterations), o.max_iterations));
-  o.random_seed = static_cast<unsigned>(
-      choose_parameter(get_parameter(np, CGAL::internal_np::random_seed), o.random_seed));
+  read_parameter(np, internal_np::dirac, o);
+  read_parameter(np, internal_np::tolerance, o.tolerance);
+  read_parameter(np, CGAL::internal_np::number_of_iterations, o.max_iterations);
+  read_parameter(np, CGAL::internal_np::random_seed, o.random_seed);
 }
 
 /// the solvers that named parameters tell of

@@ -3,6 +3,7 @@
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/number_utils.h>
 
 #include <functional>
 #include <type_traits>
@@ -178,6 +179,18 @@ inline constexpr bool only_known_parameters =
 template <class NamedParameters, class Tag>
 inline constexpr bool has_parameter =
     !CGAL::parameters::is_default_parameter<NamedParameters, Tag>::value;
+
+/// Sets a value to that of the parameter with a tag, if the pack has it
+template <class NamedParameters, class Tag, class Value>
+void read_parameter(const NamedParameters& np, Tag tag, Value& value)
+{
+  if constexpr (!has_parameter<NamedParameters, Tag>)
+    return;
+  else if constexpr (std::is_same_v<Value, double>)  // of any field
+    value = CGAL::to_double(CGAL::parameters::get_parameter_reference(np, tag));
+  else
+    value = static_cast<Value>(CGAL::parameters::get_parameter_reference(np, tag));
+}
 
 /// Returns the value of a parameter (the object that `std::ref` refers to), or else the fallback
 template <class NamedParameters, class Tag, class Fallback>

@@ -45,10 +45,8 @@ void read_scale_control(const Graph_view<TriangleMesh>& graph, const NamedParame
   if constexpr (has_parameter<NamedParameters, internal_np::vertex_scale_weight_map_t>)
     control.weights =
         read_vertex_numbers(graph, get_parameter(np, internal_np::vertex_scale_weight_map));
-  if constexpr (has_parameter<NamedParameters, internal_np::scale_bound_t>)
-    control.bound = get_parameter(np, internal_np::scale_bound);
-  else
-    control.bound = default_bound(options);
+  control.bound = default_bound(options);
+  read_parameter(np, internal_np::scale_bound, control.bound);
 }
 
 /// reads how handles stay closed, the mollification and the solvers
@@ -56,11 +54,9 @@ template <class NamedParameters>
 void read_exactness_and_mollification(const NamedParameters& np,
                                       Spin_transformation_options& options)
 {
-  if constexpr (has_parameter<NamedParameters, internal_np::exactness_t>)
-    options.exactness = CGAL::parameters::get_parameter(np, internal_np::exactness);
-  if constexpr (has_parameter<NamedParameters, internal_np::mollification_t>)
-    options.mollification = CGAL::parameters::get_parameter(np, internal_np::mollification);
-  options.solvers = parameter_or(np, internal_np::sparse_solver, options.solvers);
+  read_parameter(np, internal_np::exactness, options.exactness);
+  read_parameter(np, internal_np::mollification, options.mollification);
+  read_parameter(np, internal_np::sparse_solver, options.solvers);
 }
 
 /// reads what named parameters request of a spin transformation, but for the boundary and scales
@@ -69,7 +65,7 @@ void read_request(const NamedParameters& np, Spin_transformation_options& option
 {
   read_exactness_and_mollification(np, options);
   read_dirac_options(np, options.dirac);
-  options.limits = parameter_or(np, internal_np::limits, options.limits);
+  read_parameter(np, internal_np::limits, options.limits);
 }
 
 /// rho from a map of the vertices or of the faces
@@ -155,12 +151,7 @@ template <class TriangleMesh, class NamedParameters>
 void write_spin_result(TriangleMesh& mesh, const Graph_view<TriangleMesh>& graph,
                        const Spin_result& result, const NamedParameters& np)
 {
-  if constexpr (has_parameter<NamedParameters, internal_np::vertex_spin_map_t>) {
-    auto spins = CGAL::parameters::get_parameter(np, internal_np::vertex_spin_map);
-    using Value = typename boost::property_traits<decltype(spins)>::value_type;
-    for (int v = 0; v < graph.view().size_of_vertices(); ++v)
-      put(spins, graph.vertex(v), Quaternion_access<Value>::to(result.lambda[v]));
-  }
+  write_spins(graph, result.lambda, np);
   write_points(mesh, graph, result.positions, np);
 }
 

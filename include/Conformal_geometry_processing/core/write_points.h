@@ -5,9 +5,11 @@
 #include <Conformal_geometry_processing/core/geometry_traits.h>
 #include <Conformal_geometry_processing/core/named_parameters.h>
 #include <Quaternionic_linear_algebra/algebra/Quaternion.h>
+#include <Quaternionic_linear_algebra/algebra/Quaternion_vector.h>
 
 #include <boost/property_map/property_map.hpp>
 
+#include <array>
 #include <cstddef>
 #include <type_traits>
 #include <utility>
@@ -40,81 +42,37 @@ void write_points(TriangleMesh& mesh, const Graph_view<TriangleMesh>& graph,
   }
 }
 
-// std::void_t does not distinguish partial specializations in clang before 15 (CWG 1980).
-template <class...>
-struct Make_void {
-  using type = void;
-};
-
 // w(), ..., z() and vec(): Eigen::Quaternion, but not Eigen::Vector4d, whose w() is the last entry.
 template <class Q>
-using Has_named_components = typename Make_void<decltype(std::declval<const Q&>().w()),
-                                                decltype(std::declval<const Q&>().vec())>::type;
+auto components_of(const Q& q) -> decltype(q.vec(), std::array{q.w(), q.x(), q.y(), q.z()})
+{
+  return {q.w(), q.x(), q.y(), q.z()};
+}
 
 // R_component_1() ... R_component_4(): boost::math::quaternion.
 template <class Q>
-using Has_numbered_components =
-    typename Make_void<decltype(std::declval<const Q&>().R_component_1()),
-                       decltype(std::declval<const Q&>().R_component_4())>::type;
+auto components_of(const Q& q) -> std::array<decltype(q.R_component_4()), 4>
+{
+  return {q.R_component_1(), q.R_component_2(), q.R_component_3(), q.R_component_4()};
+}
 
 // [0] ... [3]: std::array, C++ aggregates, vectors of four.
 template <class Q>
-using Has_subscripts = typename Make_void<decltype(std::declval<Q&>()[0] = 0)>::type;
+auto components_of(const Q& q) -> decltype(std::array{q[0], q[1], q[2], q[3]})
+{
+  return {q[0], q[1], q[2], q[3]};
+}
+
+template <class FT>
+constexpr std::array<FT, 4> components_of(const Quaternion<FT>& q)
+{
+  return {q.w, q.x, q.y, q.z};
+}
 
 template <class Q, class = void>
-struct Default_quaternion_access {
-  static_assert(!std::is_same_v<Q, Q>,
-                "Specialize Conformal_geometry_processing::Quaternion_access for this type.");
-};
-
+inline constexpr bool has_subscripts = false;
 template <class Q>
-struct Default_quaternion_access<Q, Has_named_components<Q>> {
-  using FT = std::decay_t<decltype(std::declval<const Q&>().w())>;
-  static Quaternion<double> from(const Q& q)
-  {
-    return {static_cast<double>(q.w()), static_cast<double>(q.x()), static_cast<double>(q.y()),
-            static_cast<double>(q.z())};
-  }
-  static Q to(const Quaternion<double>& q)
-  {
-    return Q(static_cast<FT>(q.w), static_cast<FT>(q.x), static_cast<FT>(q.y),
-             static_cast<FT>(q.z));
-  }
-};
-
-template <class Q>
-struct Default_quaternion_access<Q, Has_numbered_components<Q>> {
-  using FT = std::decay_t<decltype(std::declval<const Q&>().R_component_1())>;
-  static Quaternion<double> from(const Q& q)
-  {
-    return {static_cast<double>(q.R_component_1()), static_cast<double>(q.R_component_2()),
-            static_cast<double>(q.R_component_3()), static_cast<double>(q.R_component_4())};
-  }
-  static Q to(const Quaternion<double>& q)
-  {
-    return Q(static_cast<FT>(q.w), static_cast<FT>(q.x), static_cast<FT>(q.y),
-             static_cast<FT>(q.z));
-  }
-};
-
-template <class Q>
-struct Default_quaternion_access<Q, Has_subscripts<Q>> {
-  using FT = std::decay_t<decltype(std::declval<Q&>()[0])>;
-  static Quaternion<double> from(const Q& q)
-  {
-    return {static_cast<double>(q[0]), static_cast<double>(q[1]), static_cast<double>(q[2]),
-            static_cast<double>(q[3])};
-  }
-  static Q to(const Quaternion<double>& q)
-  {
-    Q result{};
-    result[0] = static_cast<FT>(q.w);
-    result[1] = static_cast<FT>(q.x);
-    result[2] = static_cast<FT>(q.y);
-    result[3] = static_cast<FT>(q.z);
-    return result;
-  }
-};
+inline constexpr bool has_subscripts<Q, std::void_t<decltype(std::declval<Q&>()[0] = 0)>> = true;
 
 }  // namespace internal
 
@@ -125,20 +83,46 @@ struct Default_quaternion_access<Q, Has_subscripts<Q>> {
 /// Supports `Quaternion`, `Eigen::Quaternion`, `boost::math::quaternion`, and all types with
 /// `[0] ... [3]` = w, x, y, z such as `std::array<double, 4>`. Specialize it for other types.
 template <class Q>
-struct Quaternion_access : internal::Default_quaternion_access<Q> {};
+struct Quaternion_access {
+  using FT = typename decltype(internal::components_of(std::declval<const Q&>()))::value_type;
 
-template <class FT_>
-struct Quaternion_access<Quaternion<FT_>> {
-  using FT = FT_;
-  static constexpr Quaternion<double> from(const Quaternion<FT>& q)
+  static constexpr Quaternion<double> from(const Q& q)
   {
-    return {static_cast<double>(q.w), static_cast<double>(q.x), static_cast<double>(q.y),
-            static_cast<double>(q.z)};
+    const auto c = internal::components_of(q);
+    return {static_cast<double>(c[0]), static_cast<double>(c[1]), static_cast<double>(c[2]),
+            static_cast<double>(c[3])};
   }
-  static constexpr Quaternion<FT> to(const Quaternion<double>& q)
+
+  static constexpr Q to(const Quaternion<double>& q)
   {
-    return {static_cast<FT>(q.w), static_cast<FT>(q.x), static_cast<FT>(q.y), static_cast<FT>(q.z)};
+    const std::array c{static_cast<FT>(q.w), static_cast<FT>(q.x), static_cast<FT>(q.y),
+                       static_cast<FT>(q.z)};
+    if constexpr (internal::has_subscripts<Q>) {
+      Q result{};
+      result[0] = c[0], result[1] = c[1], result[2] = c[2], result[3] = c[3];
+      return result;
+    } else if constexpr (std::is_same_v<Q, Quaternion<FT>>) {
+      return {c[0], c[1], c[2], c[3]};
+    } else {
+      return Q(c[0], c[1], c[2], c[3]);
+    }
   }
 };
 
+namespace internal {
+
+/// Writes lambda, if named parameters have a map for it
+template <class TriangleMesh, class NamedParameters>
+void write_spins(const Graph_view<TriangleMesh>& graph, const Quaternion_vector<double>& lambda,
+                 const NamedParameters& np)
+{
+  if constexpr (has_parameter<NamedParameters, internal_np::vertex_spin_map_t>) {
+    auto spins = CGAL::parameters::get_parameter(np, internal_np::vertex_spin_map);
+    using Value = typename boost::property_traits<decltype(spins)>::value_type;
+    for (int v = 0; v < graph.view().size_of_vertices(); ++v)
+      put(spins, graph.vertex(v), Quaternion_access<Value>::to(lambda[v]));
+  }
+}
+
+}  // namespace internal
 }  // namespace Conformal_geometry_processing
