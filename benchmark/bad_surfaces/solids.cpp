@@ -15,8 +15,6 @@
 
 #include <cmath>
 #include <optional>
-#include <utility>
-#include <vector>
 
 namespace cgp_benchmark {
 

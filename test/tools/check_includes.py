@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 """Every name of the library that a file uses as `CGP::name` is declared in a header that the file
-reaches: otherwise it compiles only beside others that include it, or with a precompiled header."""
+reaches: otherwise it compiles only beside others that include it, or with a precompiled header. What
+X.h includes, X.cpp does not include again."""
 
 import collections
 import functools
@@ -49,7 +50,17 @@ def declarations():
     return headers
 
 
+def repeated():
+    for path in sources.files(".cpp"):
+        header = sources.ROOT / path.with_suffix(".h")
+        if header.is_file():
+            for name in {name for _, name in sources.includes(header)} & {
+                    name for _, name in sources.includes(sources.ROOT / path)}:
+                yield f"{path}: {header.name} includes {name}"
+
+
 def complaints():
+    yield from repeated()
     declared = declarations()
     for path in sources.files(".h", ".cpp"):
         if path.parts[0] in ("include", "doc"):

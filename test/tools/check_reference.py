@@ -2,8 +2,9 @@
 # Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 """The reference fits the headers: there are no more named parameters than one can read, as what is
 seldom set is a member of the options of its family; each function documents the named parameters that it accepts, all
-of them with a default, doc/parameters.md is the table of these, and the page of a concept names
-the header of every type of the library that its functions take or return.
+of them with a default, doc/parameters.md is the table of these, the page of a concept names the
+header of every type of the library that its functions take or return, and nothing that is internal
+has a group, as the manual leaves it out.
 
 usage: check_reference.py [--fix]   (writes the page and the lists of headers)
 """
@@ -109,6 +110,16 @@ def with_headers(concept, types):
     return re.sub(r"(?m)^///\n(?=/// \\cgalHasModelsBegin)", lambda _: block + "///\n", plain, count=1)
 
 
+def grouped_internals():
+    for header in sources.headers():
+        depth, text = 0, (sources.INCLUDE / header).read_text(encoding="utf-8")
+        for number, line in enumerate(text.splitlines(), 1):
+            depth += bool(re.match(r"namespace (\w+::)?internal \{", line))
+            depth -= bool(re.match(r"\}  // namespace (\w+::)?internal$", line))
+            if depth and "\\ingroup" in line:
+                yield f"{header}:{number}: what is internal has no group"
+
+
 def files():
     """(path, what it should contain) of the page and the concepts."""
     yield PAGE, page()
@@ -122,6 +133,7 @@ def complaints(fix):
         yield (f"core/named_parameters.h: {len(names())} named parameters, more than {MOST_PARAMETERS}: "
                "what is seldom set is a member of the options of its family")
     yield from differences()
+    yield from grouped_internals()
     for path, content in files():
         if fix:
             path.write_text(content, encoding="utf-8")

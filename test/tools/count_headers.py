@@ -1,5 +1,5 @@
 # Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-"""Counts the headers of which lines are executed in one spin transformation of a sphere: compiles it
+"""Counts the modules and headers of which lines are executed in one spin transformation of a sphere: compiles it
 header-only with g++ --coverage, runs it, and asks gcov which lines of which files ran."""
 
 import collections
@@ -48,9 +48,12 @@ def executed(folder):
 
 
 def rows(folder):
-    """(folder of the library, number of headers), and (all, number); X.h and X_impl.h count as one."""
-    headers = {re.sub(r"_impl\.h$", ".h", header) for header in executed(folder)}
-    folders = collections.Counter(header.rpartition("/")[0] for header in headers)
-    for name, count in sorted(folders.items()):
-        yield [f"`{name}/`", count]
-    yield ["all", len(headers)]
+    """(folder of the library, modules with executed lines, headers that have such lines themselves),
+    and the same of all; X.h and X.cpp, which is X_impl.h here, are one module."""
+    headers = executed(folder)
+    modules = {re.sub(r"_impl\.h$", ".h", header) for header in headers}
+    of_folder = [collections.Counter(name.rpartition("/")[0] for name in names)
+                 for names in (modules, modules & headers)]
+    for name, count in sorted(of_folder[0].items()):
+        yield [f"`{name}/`", count, of_folder[1][name]]
+    yield ["all", len(modules), len(modules & headers)]

@@ -138,9 +138,9 @@ def frames(folder):
 def executed(old, folder):
     folder = folder / "headers"
     folder.mkdir(parents=True, exist_ok=True)
-    kept = {row[0]: row[2] for row in rows_of(old)}
-    return table_of(["folder", "headers:", "of which"],
-                    [[name, count, kept.get(name, "")] for name, count in count_headers.rows(folder)])
+    kept = {row[0]: row[-1] for row in rows_of(old)}
+    return table_of(["folder", "modules:", "headers:", "contents"],
+                    [[name, *counts, kept.get(name, "")] for name, *counts in count_headers.rows(folder)])
 
 
 def sizes(program):

@@ -23,7 +23,6 @@
 
 #include <cmath>
 #include <functional>
-#include <optional>
 #include <string>
 #include <utility>
 

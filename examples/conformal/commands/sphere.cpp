@@ -13,7 +13,6 @@
 #include <Quaternionic_linear_algebra/exceptions.h>
 
 #include <cmath>
-#include <string>
 
 namespace conformal {
 namespace {

@@ -13,7 +13,6 @@
 #include <Conformal_geometry_processing/mesh/topology.h>
 
 #include <cmath>
-#include <string>
 #include <utility>
 #include <vector>
 

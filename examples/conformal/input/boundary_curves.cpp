@@ -9,7 +9,6 @@
 
 #include <Conformal_geometry_processing/mesh/topology.h>
 
-#include <cmath>
 #include <utility>
 
 namespace conformal {

@@ -5,7 +5,6 @@
 
 #include <Conformal_geometry_processing/flow/Curvature_filter.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>
-#include <Conformal_geometry_processing/painting/image_filters.h>
 
 namespace conformal {
 namespace {

@@ -1,15 +1,12 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include "same_faces.h"
 
-#include "Defects.h"
-
 #include "conformal/io/read_surface.h"
 #include "conformal/process/Failure.h"
 #include "conformal/process/text.h"
 #include "conformal/repair/repair_alike.h"
 
 #include <cstddef>
-#include <string>
 #include <utility>
 
 namespace conformal {

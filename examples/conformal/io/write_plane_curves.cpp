@@ -7,7 +7,6 @@
 #include "conformal/io/file/io_errors.h"
 #include "conformal/io/file/numbers.h"
 
-#include <algorithm>
 #include <array>
 #include <charconv>
 #include <limits>

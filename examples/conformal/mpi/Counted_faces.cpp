@@ -4,8 +4,6 @@
 #include <Conformal_geometry_processing/operators/dirac_energy.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 
-#include <Eigen/Core>
-
 #include <cmath>
 
 namespace conformal::mpi {

@@ -3,7 +3,6 @@
 
 #include "Counted_faces.h"
 #include "Distributed_matrix.h"
-#include "Distributed_solver.h"
 
 #include <Conformal_geometry_processing/operators/dirac_energy.h>
 #include <Quaternionic_linear_algebra/adapters/Slepc_eigensolver_traits.h>

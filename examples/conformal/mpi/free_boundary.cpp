@@ -3,7 +3,6 @@
 
 #include "Counted_faces.h"
 #include "Distributed_matrix.h"
-#include "Distributed_solver.h"
 
 #include <Conformal_geometry_processing/operators/dirac_energy.h>
 #include <Conformal_geometry_processing/spin/Spin_residual.h>

@@ -5,7 +5,6 @@
 
 #include <sys/resource.h>
 
-#include <algorithm>
 #include <array>
 #include <cstdio>
 

@@ -5,8 +5,6 @@
 
 #include <dlfcn.h>
 
-#include <initializer_list>
-
 namespace conformal {
 
 void set_threads(int count)

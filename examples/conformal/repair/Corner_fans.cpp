@@ -4,7 +4,6 @@
 #include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
-#include <array>
 #include <numeric>
 
 namespace conformal {

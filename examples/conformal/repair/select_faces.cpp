@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <numeric>
 #include <utility>
-#include <vector>
 
 namespace conformal {
 namespace {

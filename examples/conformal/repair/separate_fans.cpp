@@ -6,7 +6,6 @@
 #include "conformal/process/at.h"
 
 #include <cstddef>
-#include <utility>
 
 namespace conformal {
 namespace {}  // namespace

@@ -3,8 +3,6 @@
 
 #include "conformal/process/text.h"
 
-#include <utility>
-
 namespace conformal {
 
 void Report::set(const std::string& place, Value value)

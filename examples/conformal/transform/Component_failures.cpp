@@ -1,7 +1,6 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include "Component_failures.h"
 
-#include <Conformal_geometry_processing/mesh/Mesh_component.h>
 #include <Quaternionic_linear_algebra/exceptions.h>
 
 namespace conformal {

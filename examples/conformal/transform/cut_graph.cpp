@@ -1,8 +1,6 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include "cut_graph.h"
 
-#include "Shortest_paths.h"
-
 #include "conformal/process/at.h"
 
 #include <boost/pending/disjoint_sets.hpp>

@@ -12,7 +12,6 @@
 #include <Conformal_geometry_processing/mesh/Surface_ref.h>
 
 #include <cmath>
-#include <string>
 
 namespace conformal {
 namespace {

@@ -4,7 +4,6 @@
 #include "conformal/process/Failure.h"
 #include "conformal/report/verification.h"
 
-#include <Conformal_geometry_processing/spin/Spin_transformation.h>
 #include <Conformal_geometry_processing/surfaces/minimal_surface.h>
 #ifdef CONFORMAL_HAS_OTHER_SOLVERS
 #include <Quaternionic_linear_algebra/adapters/Eigen_hermitian_solver_traits.h>
@@ -12,8 +11,6 @@
 #include <Quaternionic_linear_algebra/adapters/Cholmod_hermitian_solver_traits.h>
 #endif
 #endif
-
-#include <string>
 
 namespace conformal {
 

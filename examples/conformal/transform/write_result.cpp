@@ -8,7 +8,6 @@
 #include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <system_error>
 

@@ -4,7 +4,6 @@
 #include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Quaternionic_linear_algebra/exceptions.h>
 
-#include <array>
 #include <utility>
 
 namespace conformal_python {

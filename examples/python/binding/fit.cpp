@@ -8,7 +8,6 @@
 #include <Conformal_geometry_processing/spin/curvature_difference.h>
 
 #include <optional>
-#include <utility>
 
 namespace conformal_python {
 namespace {

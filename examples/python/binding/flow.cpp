@@ -7,7 +7,6 @@
 #include <Conformal_geometry_processing/flow/Conformal_willmore_flow.h>
 #include <Conformal_geometry_processing/flow/Flow_report.h>
 
-#include <optional>
 #include <utility>
 
 namespace conformal_python {

@@ -13,8 +13,6 @@
 #include <Conformal_geometry_processing/spin/Dirac_spectrum.h>
 #include <Conformal_geometry_processing/spin/snap_to_class.h>
 
-#include <utility>
-
 namespace conformal_python {
 namespace {
 

@@ -6,18 +6,14 @@
 #include <Quaternionic_linear_algebra/exceptions.h>
 #include <Quaternionic_linear_algebra/krylov/conjugate_gradients.h>
 
-#include <Eigen/Core>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <memory>
 #include <numeric>
 #include <utility>
 
 namespace Conformal_geometry_processing {
-
 namespace internal {
 
 inline std::vector<int> all_free(int n)

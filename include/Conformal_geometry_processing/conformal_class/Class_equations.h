@@ -13,7 +13,6 @@
 
 namespace Conformal_geometry_processing::internal {
 
-/// \ingroup PkgConformalClass
 /// \brief The lengths l_ij of a mesh, from which those of a surface are to differ by factors at the
 /// vertices: |f_j - f_i| = l_ij exp((u_i + u_j) / 2), discrete conformal equivalence.
 ///
@@ -54,13 +53,11 @@ class Edge_scales {
   std::vector<Edge> m_edges;
 };
 
-/// \ingroup PkgConformalClass
 /// \brief Factors a matrix of a least-squares problem; where rounding has made it indefinite, with
 /// a share of its diagonal in addition that mends it, smaller than `most`: a step is shorter then.
 Solver_status factorize_definite(Supernodal_cholesky<double>& solver,
                                  const Hermitian_sparse_matrix<double>& A, double most);
 
-/// \ingroup PkgConformalClass
 /// \brief The quadratic form of a step (df, du) near the discrete conformal class of a mesh, with
 /// w |J (df, du)|^2 in it for the derivative J of the residuals of `Edge_scales`.
 ///

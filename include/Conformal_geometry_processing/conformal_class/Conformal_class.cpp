@@ -4,12 +4,6 @@
 #include <Conformal_geometry_processing/operators/vertex_graph.h>
 #include <Quaternionic_linear_algebra/exceptions.h>
 
-#include <Eigen/Core>
-
-#include <algorithm>
-#include <memory>
-#include <utility>
-
 namespace Conformal_geometry_processing {
 
 internal::Conformal_class::Conformal_class(const Mesh_view& mesh)

@@ -7,13 +7,11 @@
 #include <Eigen/Core>
 
 #include <algorithm>
-#include <memory>
 #include <optional>
 #include <utility>
 
 namespace Conformal_geometry_processing::internal {
 
-/// \ingroup PkgConformalClass
 /// When a snap ends
 struct Snap_options {
   /// of the largest residual; a change of log length cross-ratios sums four of them
@@ -31,7 +29,6 @@ struct Snap_options {
   double enough() const { return (std::max)(tolerance, sufficient); }
 };
 
-/// \ingroup PkgConformalClass
 /// The numbers that verify a snap
 struct Snap_report {
   bool converged = false;                     ///< `residual` is within the tolerance, or enough
@@ -39,7 +36,6 @@ struct Snap_report {
   int iterations = 0, factorizations = 0;
 };
 
-/// \ingroup PkgConformalClass
 /// \brief The discrete conformal class of a mesh: all surfaces of its connectivity whose edge
 /// lengths differ from its own by factors at the vertices, that is, which have its length
 /// cross-ratios [Luo 2004; Springborn, Schroeder and Pinkall 2008]. Moebius transformations keep

@@ -4,16 +4,12 @@
 #include <Conformal_geometry_processing/mesh/topology.h>
 #include <Quaternionic_linear_algebra/exceptions.h>
 
-#include <Eigen/Core>
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cstddef>
-#include <memory>
-#include <utility>
 
 namespace Conformal_geometry_processing {
-
 namespace internal {
 
 /// The frame (T, N, B) of a face at its first edge, and the place of the third vertex in it

@@ -16,7 +16,6 @@
 
 namespace Conformal_geometry_processing::internal {
 
-/// \ingroup PkgConformalClass
 /// \brief Directions of a surface along its boundary, from which those of other surfaces of the
 /// same connectivity must not differ: for each edge of the boundary, the direction U = t T + n N +
 /// b B in the frame of its face, with the edge T, the normal N, and B = T x N out of the surface.
@@ -53,7 +52,6 @@ class Rim_directions {
   Points m_normals, m_others;               // two unit vectors orthogonal to each kept direction
 };
 
-/// \ingroup PkgConformalClass
 /// \brief One equation for all positions, such as that of an enclosed volume. Motions of the
 /// surface must have no effect.
 struct Global_equation {
@@ -61,7 +59,6 @@ struct Global_equation {
   std::function<Points(const Points&)> gradient;  ///< 3 x |V|
 };
 
-/// \ingroup PkgConformalClass
 /// \brief The smallest change (df, du) of a surface and its log scales that removes given residuals
 /// of `Edge_scales` and `Rim_directions`, to first order.
 ///

@@ -2,14 +2,10 @@
 #include <Conformal_geometry_processing/curves/Isometric_curve_flow.h>
 
 #include <Conformal_geometry_processing/curves/close_polygon.h>
-#include <Conformal_geometry_processing/curves/polygons.h>
-
-#include <Eigen/Core>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <string>
 
 namespace Conformal_geometry_processing {
 

@@ -8,7 +8,6 @@
 namespace Conformal_geometry_processing {
 namespace internal {
 
-/// \ingroup PkgCurves
 /// \brief The functions 1, f^x, f^y on the vertices of a curve f, orthogonalized: a change of
 /// curvature that is orthogonal to them keeps the curve closed, to first order [CGP 4.2].
 ///
@@ -30,7 +29,6 @@ class Closing_functions {
   Eigen::Vector3d m_norms;  // squared
 };
 
-/// \ingroup PkgCurves
 /// \brief A compensated running sum of vectors of the plane, accurate to one rounding.
 ///
 /// The vertices of a polygon are such sums of its edges. Without compensation, their rounding

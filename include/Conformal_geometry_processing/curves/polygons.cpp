@@ -3,11 +3,8 @@
 
 #include <Conformal_geometry_processing/mesh/requirements.h>
 
-#include <Eigen/Core>
-
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 namespace Conformal_geometry_processing {
 

@@ -14,7 +14,6 @@ namespace internal {
 /// One point or vector of the plane per column
 using Plane_points = Eigen::Matrix2Xd;
 
-/// \ingroup PkgCurves
 /// \brief The lengths of the edges of a polygon, and of the dual edges of its vertices.
 ///
 /// Edge i runs from vertex i to the next one, the last edge of a closed polygon to vertex 0; an
@@ -83,7 +82,6 @@ double bending_energy(const Eigen::VectorXd& curvatures, const internal::Polygon
 
 namespace internal {
 
-/// \ingroup PkgCurves
 /// \brief Normalized coordinates of curve flows: `Normalized_frame` in the plane, which makes
 /// results independent of the unit of length and of a distant origin.
 class Curve_frame {

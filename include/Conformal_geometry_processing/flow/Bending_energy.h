@@ -9,14 +9,12 @@
 
 #include <Eigen/Core>
 
-#include <array>
 #include <cstddef>
 #include <memory>
 #include <vector>
 
 namespace Conformal_geometry_processing::internal {
 
-/// \ingroup PkgFlow
 /// \brief The Willmore energy of a patch whose rim is clamped, and its derivative.
 ///
 /// W(f) = sum |L f|_v^2 / (4 A_v) over the vertices that bend, with the cotan Laplacian L and mixed
@@ -48,7 +46,6 @@ class Bending_energy {
   double m_value = 0;
 };
 
-/// \ingroup PkgFlow
 /// \brief K = L A^-1 L / 2 on the free vertices of a patch, for the vertices that bend: the second
 /// derivative of the Willmore energy for a fixed metric, of each coordinate.
 ///
@@ -92,7 +89,6 @@ class Bending_matrix {
   std::vector<int> m_places;  // in the pattern, of the products of two entries of a row
 };
 
-/// \ingroup PkgFlow
 /// \brief A step of a fairing
 struct Fairing_step {
   Points f;               ///< positions of the vertices of the patch: of the last trial

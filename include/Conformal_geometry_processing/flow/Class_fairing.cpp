@@ -1,14 +1,11 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/flow/Class_fairing.h>
 
-#include <Eigen/Core>
-
 #include <algorithm>
 #include <cstddef>
 #include <utility>
 
 namespace Conformal_geometry_processing {
-
 namespace internal {
 
 // The weight of the constraints against K. The class is reached by steps with one factor, each of

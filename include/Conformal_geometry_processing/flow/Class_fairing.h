@@ -10,7 +10,6 @@
 
 namespace Conformal_geometry_processing::internal {
 
-/// \ingroup PkgFlow
 /// \brief Descends the Willmore energy of a patch with clamped rim within the discrete conformal
 /// class of the initial patch: with its length cross-ratios, by sequential quadratic programming.
 ///

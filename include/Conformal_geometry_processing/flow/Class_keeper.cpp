@@ -9,12 +9,8 @@
 #include <Conformal_geometry_processing/spin/gauge.h>
 #include <Quaternionic_linear_algebra/exceptions.h>
 
-#include <Eigen/Core>
-
 #include <algorithm>
 #include <cstddef>
-#include <utility>
-#include <vector>
 
 namespace Conformal_geometry_processing {
 namespace internal {

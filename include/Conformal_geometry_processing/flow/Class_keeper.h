@@ -16,7 +16,6 @@
 
 namespace Conformal_geometry_processing::internal {
 
-/// \ingroup PkgFlow
 /// \brief smooths surfaces within about the conformal class of an initial one: f <- f - (1 - A)^2 f
 /// with A = (M + s L_0)^-1 M.
 ///
@@ -54,7 +53,6 @@ class Fairing {
   Supernodal_cholesky<double> m_solver;
 };
 
-/// \ingroup PkgFlow
 /// \brief keeps a flow on the discrete conformal class of its initial surface, and smooths surfaces
 /// within it.
 ///

@@ -1,15 +1,11 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/flow/Conformal_willmore_flow.h>
 
-#include <Conformal_geometry_processing/flow/Constrained_direction.h>
 #include <Conformal_geometry_processing/mesh/Boundary_frames.h>
-
-#include <Eigen/Core>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <string>
 #include <utility>
 
 namespace Conformal_geometry_processing {

@@ -1,17 +1,11 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/flow/Constrained_direction.h>
 
-#include <Conformal_geometry_processing/flow/Curvature_direction_ref.h>
-#include <Conformal_geometry_processing/flow/Curvature_filter.h>
 #include <Conformal_geometry_processing/mesh/Normalized_frame.h>
 #include <Conformal_geometry_processing/mesh/normals.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>
-#include <Conformal_geometry_processing/spin/Spin_transformation.h>
-
-#include <Eigen/Core>
 
 #include <cmath>
-#include <string>
 #include <utility>
 
 namespace Conformal_geometry_processing {

@@ -16,7 +16,6 @@
 
 namespace Conformal_geometry_processing::internal {
 
-/// \ingroup PkgFlow
 /// \brief filters the direction of a flow and projects it onto the constraints [CGP 6.4.4].
 ///
 /// Removes the constants, if they have no effect; the functions of `Exactness_constraints`; and on

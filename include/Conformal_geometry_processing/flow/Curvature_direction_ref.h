@@ -39,7 +39,6 @@ constexpr bool has_energy_of<Direction, Surface,
                              std::void_t<decltype(std::declval<const Direction&>().energy(
                                  std::declval<const Surface&>()))>> = true;
 
-/// \ingroup PkgFlow
 /// \brief A direction of a flow whose type is forgotten: that of the Willmore flow by default; any
 /// model of `CurvatureDirection` converts to it.
 class Curvature_direction_ref {
@@ -90,5 +89,4 @@ class Curvature_direction_ref {
 };
 
 }  // namespace internal
-
 }  // namespace Conformal_geometry_processing

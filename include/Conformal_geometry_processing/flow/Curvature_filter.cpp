@@ -6,13 +6,9 @@
 #include <Conformal_geometry_processing/operators/vertex_graph.h>
 #include <Quaternionic_linear_algebra/exceptions.h>
 
-#include <Eigen/Core>
-
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <string>
-#include <utility>
 
 namespace Conformal_geometry_processing {
 

@@ -16,7 +16,6 @@
 namespace Conformal_geometry_processing {
 namespace internal {
 
-/// \ingroup PkgFlow
 /// \brief high-pass filter for a function on the vertices, such as the direction of a curvature
 /// flow, which then preserves the large features of the surface [CGP 6.4.2.1].
 ///

@@ -8,7 +8,6 @@
 
 namespace Conformal_geometry_processing::internal {
 
-/// \ingroup PkgFlow
 /// \brief points of a flow that suit the faces of its input, where it computes with others.
 ///
 /// Where faces are thin, what is smooth on the triangulation of the flow may be rough on them, as

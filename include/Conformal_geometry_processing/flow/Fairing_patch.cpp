@@ -12,10 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace Conformal_geometry_processing {
 

@@ -10,7 +10,6 @@
 
 namespace Conformal_geometry_processing::internal {
 
-/// \ingroup PkgFlow
 /// \brief A region of a surface that is to be replaced, with as much of its surroundings as
 /// determines the normals at its rim.
 ///
@@ -66,7 +65,6 @@ class Fairing_patch {
   std::vector<char> m_bends, m_is_in_region;
 };
 
-/// \ingroup PkgFlow
 /// \brief The largest, and the root mean square, angle between the normals of a surface inside and
 /// outside of a region, at its rim, in radians.
 ///

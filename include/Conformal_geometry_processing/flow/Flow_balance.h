@@ -17,7 +17,6 @@ class Spin_transformation;
 
 namespace internal {
 
-/// \ingroup PkgFlow
 /// \brief keeps a flow balanced as its options specify.
 class Flow_balance {
  public:
@@ -51,5 +50,4 @@ class Flow_balance {
 };
 
 }  // namespace internal
-
 }  // namespace Conformal_geometry_processing

@@ -2,7 +2,6 @@
 #include <Conformal_geometry_processing/flow/Flow_options.h>
 
 #include <cmath>
-#include <string>
 
 namespace Conformal_geometry_processing {
 

@@ -1,8 +1,6 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/flow/Flow_report.h>
 
-#include <Conformal_geometry_processing/measure/Conformality.h>
-
 #include <ostream>
 #include <utility>
 

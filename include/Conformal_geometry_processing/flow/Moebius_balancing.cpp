@@ -6,11 +6,9 @@
 #include <Quaternionic_linear_algebra/algebra/Moebius_map.h>
 
 #include <Eigen/Cholesky>
-#include <Eigen/Core>
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 #include <utility>
 
 namespace Conformal_geometry_processing {

@@ -12,7 +12,6 @@
 namespace Conformal_geometry_processing {
 namespace internal {
 
-/// \ingroup PkgFlow
 /// \brief finds the sphere inversion of a surface that brings the areas of its vertices nearest to
 /// given ones [CGP 4.5.3, 6.4.5.2].
 ///

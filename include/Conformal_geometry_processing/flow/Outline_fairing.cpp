@@ -7,15 +7,11 @@
 #include <Conformal_geometry_processing/operators/vertex_graph.h>
 #include <Quaternionic_linear_algebra/dense/block_operators.h>
 
-#include <Eigen/Core>
-
 #include <algorithm>
-#include <cstddef>
 #include <utility>
 #include <vector>
 
 namespace Conformal_geometry_processing {
-
 namespace internal {
 
 constexpr double least_share_of_relaxation = .125;

@@ -11,7 +11,6 @@
 
 namespace Conformal_geometry_processing::internal {
 
-/// \ingroup PkgFlow
 /// \brief Descends the Willmore energy of a patch with clamped rim among all surfaces of its
 /// connectivity.
 ///

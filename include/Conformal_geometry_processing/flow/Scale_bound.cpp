@@ -3,10 +3,7 @@
 
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 #include <Conformal_geometry_processing/spin/Period_residual.h>
-#include <Conformal_geometry_processing/spin/Relaxed_scales.h>
 #include <Quaternionic_linear_algebra/algebra/Quaternion_vector.h>
-
-#include <Eigen/Core>
 
 #include <algorithm>
 #include <cmath>

@@ -13,13 +13,11 @@
 
 namespace Conformal_geometry_processing::internal {
 
-/// \ingroup PkgFlow
 /// \brief the logarithms of the factors by which lengths have changed, |V|: u of the vertices of a
 /// face with lengths exp((u_i + u_j) / 2) times those before, in the mean over the faces of a
 /// vertex. On the exact conformal class, all its faces agree.
 Eigen::VectorXd vertex_log_scales(const Mesh_view& before, const Points& after);
 
-/// \ingroup PkgFlow
 /// \brief the bound on lengths in a flow, against its initial surface, weighted by the areas there:
 /// by those of the present surface, what has collapsed would not count.
 class Scale_bound {

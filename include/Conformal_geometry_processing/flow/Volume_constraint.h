@@ -12,7 +12,6 @@
 
 namespace Conformal_geometry_processing::internal {
 
-/// \ingroup PkgFlow
 /// \brief prescribes the `Enclosure::reduced_volume()` of a flow: surfaces of the least energy are
 /// then the shapes of vesicles [Helfrich 1973; Seifert, Berndl and Lipowsky 1991].
 ///

@@ -8,13 +8,9 @@
 
 #include <Eigen/Core>
 
-#include <functional>
-#include <string>
 #include <utility>
-#include <vector>
 
 namespace Conformal_geometry_processing {
-
 namespace internal {
 
 /// why there is no step: a surface that was good before is not lost

@@ -11,7 +11,6 @@
 
 namespace Conformal_geometry_processing::internal {
 
-/// \ingroup PkgFlow
 /// Options of `conformal_fairing()`
 struct Fairing_options {
   bool exact_conformal_class = true;  ///< whether the region stays in its conformal class
@@ -19,7 +18,6 @@ struct Fairing_options {
   double tolerance = 1e-5;  ///< of the way of a vertex in a step, by the diagonal of the region
 };
 
-/// \ingroup PkgFlow
 /// \brief The numbers that verify `conformal_fairing()`.
 struct [[nodiscard]] Fairing_report {
   bool converged = false;  ///< no step moves a vertex by more than the tolerance
@@ -41,7 +39,6 @@ struct Fairing_result {
   Fairing_report report;
 };
 
-/// \ingroup PkgFlow
 /// \brief Replaces a region of a surface by the smoothest one with the same rim and normals there,
 /// see `conformal_fairing()`.
 ///

@@ -5,14 +5,12 @@
 #include <Quaternionic_linear_algebra/exceptions.h>
 
 #include <Eigen/Cholesky>
-#include <Eigen/Core>
 #include <Eigen/QR>
 
 #include <algorithm>
 #include <cmath>
 
 namespace Conformal_geometry_processing {
-
 namespace internal {
 
 Eigen::MatrixXd remove_exact_parts(const Surface_ref& surface, const Eigen::VectorXd& w,
@@ -90,5 +88,4 @@ Eigen::MatrixXd orthonormalize_forms(const Surface_ref& surface, Eigen::MatrixXd
 }
 
 }  // namespace internal
-
 }  // namespace Conformal_geometry_processing

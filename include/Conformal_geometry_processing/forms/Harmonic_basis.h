@@ -99,5 +99,4 @@ Eigen::MatrixXd remove_exact_parts(const Surface_ref& surface, const Eigen::Vect
 Eigen::MatrixXd orthonormalize_forms(const Surface_ref& surface, Eigen::MatrixXd& forms);
 
 }  // namespace internal
-
 }  // namespace Conformal_geometry_processing

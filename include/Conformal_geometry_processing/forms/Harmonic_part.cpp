@@ -3,9 +3,6 @@
 
 #include <Conformal_geometry_processing/operators/cotan_laplacian.h>
 
-#include <Eigen/Core>
-#include <Eigen/SparseCore>
-
 #include <utility>
 
 namespace Conformal_geometry_processing::internal {

@@ -8,7 +8,6 @@
 
 namespace Conformal_geometry_processing::internal {
 
-/// \ingroup PkgForms
 /// \brief products with the forms of a `Harmonic_basis`, written as G T - d0 u with closed
 /// generators G.
 ///

@@ -1,8 +1,6 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/forms/Hodge_decomposition.h>
 
-#include <Conformal_geometry_processing/forms/Harmonic_basis.h>
-#include <Conformal_geometry_processing/forms/Harmonic_part.h>
 #include <Conformal_geometry_processing/forms/tree_cotree.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Conformal_geometry_processing/mesh/topology.h>
@@ -10,16 +8,12 @@
 #include <Conformal_geometry_processing/operators/exterior_derivative.h>
 #include <Conformal_geometry_processing/operators/vertex_graph.h>
 
-#include <Eigen/Core>
 #include <Eigen/SparseCore>
 #include <Eigen/SparseLU>
 
 #include <cassert>
 #include <cmath>
-#include <memory>
 #include <random>
-#include <string>
-#include <utility>
 
 namespace Conformal_geometry_processing {
 

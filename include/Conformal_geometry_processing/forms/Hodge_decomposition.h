@@ -18,7 +18,6 @@
 namespace Conformal_geometry_processing {
 namespace internal {
 
-/// \ingroup PkgForms
 /// the parts of k 1-forms: they sum up to the forms and are pairwise orthogonal
 struct Hodge_parts {
   Eigen::MatrixXd potential;  ///< |V| x k: u with exact = d0 u and mean zero

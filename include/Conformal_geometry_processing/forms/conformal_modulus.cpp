@@ -1,7 +1,6 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/forms/conformal_modulus.h>
 
-#include <Conformal_geometry_processing/forms/Harmonic_basis.h>
 #include <Conformal_geometry_processing/forms/tree_cotree.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Conformal_geometry_processing/operators/cotan_laplacian.h>
@@ -9,12 +8,10 @@
 #include <Quaternionic_linear_algebra/direct/Grounded_solver.h>
 #include <Quaternionic_linear_algebra/exceptions.h>
 
-#include <Eigen/Core>
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
 #include <cmath>
-#include <complex>
 #include <string>
 
 namespace Conformal_geometry_processing {

@@ -49,7 +49,6 @@ std::complex<double> conformal_modulus(const Mesh_view& mesh, const Harmonic_bas
 
 namespace internal {
 
-/// \ingroup PkgForms
 /// \brief The inner products <h_i, h_j> of the harmonic forms of the cohomology classes of
 /// `closed_generators()`, 2G x 2G: conformally invariant, and by Torelli's theorem they determine
 /// the conformal type. Surfaces of the same connectivity have the same classes.
@@ -59,7 +58,6 @@ namespace internal {
 /// \throw Solver_error if the factorization fails
 Eigen::MatrixXd harmonic_energies(const Mesh_view& mesh);
 
-/// \ingroup PkgForms
 /// \brief The distance of two such matrices: (max log t - min log t) / 2 over the eigenvalues t of
 /// A^-1 B, which are t and 1 / t but for the error of the discrete energies, a common factor.
 ///
@@ -68,5 +66,4 @@ Eigen::MatrixXd harmonic_energies(const Mesh_view& mesh);
 double conformal_type_distance(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B);
 
 }  // namespace internal
-
 }  // namespace Conformal_geometry_processing

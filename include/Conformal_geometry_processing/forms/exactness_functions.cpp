@@ -4,8 +4,6 @@
 #include <Conformal_geometry_processing/operators/cotan_laplacian.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 
-#include <Eigen/Core>
-
 #include <array>
 #include <cstddef>
 

@@ -22,7 +22,6 @@ enum class Exactness {
 
 namespace internal {
 
-/// \ingroup PkgForms
 /// \brief computes the response y of lambda = 1 to sources c: (D^H M D) y = c in the space of
 /// spins; |V| x k -> |V| x k.
 using Spin_response = std::function<Block<Quaternion<double>>(const Block<Quaternion<double>>&)>;

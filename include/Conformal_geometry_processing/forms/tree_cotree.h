@@ -9,73 +9,6 @@
 #include <vector>
 
 namespace Conformal_geometry_processing {
-namespace internal {
-
-/// A spanning tree of the faces by breadth-first search, which keeps the loops short, and the
-/// leftover edges: those neither crossed by it nor contained in a spanning tree of the vertices.
-/// The outside of a surface with boundary counts as one more face, so 2G + loops - 1 edges are left
-/// over, and 2G without boundary.
-class Tree_cotree {
- public:
-  explicit Tree_cotree(const Mesh_view& mesh);
-
-  /// the leftover edges, ascending
-  const std::vector<int>& leftover_edges() const { return m_leftover; }
-
-  /// the halfedges of the loop of faces that crosses the leftover edge k: calls visit(h, sign) with
-  /// sign = 1 where the loop leaves face(h) through h, and with sign = -1 where it enters there.
-  /// Edges traversed twice are reported with both signs.
-  template <class Visitor>
-  void for_each_crossing(int k, Visitor visit) const
-  {
-    const int h = *m_mesh.halfedges_begin(k);
-    visit(h, 1);
-    walk_to_root(beyond(h), 1, visit);
-    walk_to_root(Mesh_view::face(h), -1, visit);
-  }
-
- private:
-  static std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
-  template <class Visitor>
-  void walk_to_root(int f, int sign, Visitor visit) const
-  {
-    for (int h = m_exit[at(f)]; h >= 0; h = m_exit[at(f)]) {
-      const bool is_outside = f == outside();
-      visit(h, is_outside ? -sign : sign);
-      f = is_outside ? Mesh_view::face(h) : beyond(h);
-    }
-  }
-
-  int outside() const { return m_mesh.size_of_faces(); }
-
-  /// the face on the other side of a halfedge
-  int beyond(int h) const;
-
-  /// the halfedges through which the neighbouring faces reach f
-  template <class Visitor>
-  void for_each_halfedge_around(int f, Visitor visit) const
-  {
-    if (f < outside())
-      for (int h = 3 * f; h < 3 * f + 3; ++h) visit(h);
-    else
-      for (int h = 0; h < m_mesh.size_of_halfedges(); ++h)
-        if (m_mesh.twin(h) < 0) visit(h);
-  }
-
-  void grow_cotree();
-  void grow_tree();
-
-  const Mesh_view& m_mesh;
-  // |F| + 1 entries, the last for the outside: the halfedge towards the root, -1 at the root.
-  // Boundary edges have one halfedge for both directions.
-  std::vector<int> m_exit;
-  std::vector<char> m_is_crossed;  // |E|: by the tree of the faces
-  std::vector<int> m_leftover;
-};
-
-}  // namespace internal
-
 /// \ingroup PkgForms
 /// \brief closed 1-forms whose classes are a basis of the cohomology with integer coefficients: 2G
 /// on a closed surface, 2G + loops - 1 with boundary. A matrix of |E| rows and integer entries,
@@ -96,7 +29,6 @@ Eigen::MatrixXd closed_generators(const Mesh_view& mesh);
 
 namespace internal {
 
-/// \ingroup PkgForms
 /// \brief a loop from face to face that visits no face twice: the halfedges through which it leaves
 /// the faces, in order.
 using Face_loop = std::vector<int>;

@@ -1,7 +1,6 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/measure/Conformality.h>
 
-#include <Conformal_geometry_processing/measure/distortion.h>
 #include <Conformal_geometry_processing/mesh/Normalized_frame.h>
 
 #include <Eigen/Core>
@@ -81,5 +80,4 @@ void print_conformality(std::ostream& out, const Conformality& c)
 }
 
 }  // namespace internal
-
 }  // namespace Conformal_geometry_processing

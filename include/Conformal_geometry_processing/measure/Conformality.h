@@ -45,16 +45,13 @@ Conformality conformality(const Mesh_view& mesh, const Points& positions,
 
 namespace internal {
 
-/// \ingroup PkgMeasure
 /// the same of a surface in parts
 /// \pre squares of areas neither overflow nor underflow
 Conformality measured_conformality(const Mesh_view& mesh, const Points& positions,
                                    const Points& expected_normals, const Surface_part& part = {});
 
-/// \ingroup PkgMeasure
 /// Writes the lines on conformality of a report, one fact per line
 void print_conformality(std::ostream& out, const Conformality& c);
 
 }  // namespace internal
-
 }  // namespace Conformal_geometry_processing

@@ -3,7 +3,6 @@
 
 #include <Conformal_geometry_processing/mesh/Normalized_frame.h>
 
-#include <Eigen/Core>
 #include <Eigen/Geometry>
 
 #include <cmath>

@@ -22,7 +22,6 @@ Enclosure enclosure(const Mesh_view& mesh);
 
 namespace internal {
 
-/// \ingroup PkgMeasure
 /// \brief area, enclosed volume, and their derivatives by the positions, which are bounded for thin
 /// faces too. Faces without area have no derivative and count as zero there.
 struct Enclosure_gradient {
@@ -39,5 +38,4 @@ struct Enclosure_gradient {
 };
 
 }  // namespace internal
-
 }  // namespace Conformal_geometry_processing

@@ -99,5 +99,4 @@ std::optional<Realised_curvature> realised_curvature(const Mesh_view& mesh, cons
                                                      Solver_ref<double>& solver);
 
 }  // namespace internal
-
 }  // namespace Conformal_geometry_processing

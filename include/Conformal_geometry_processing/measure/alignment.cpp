@@ -5,7 +5,6 @@
 #include <Quaternionic_linear_algebra/algebra/Quaternion.h>
 #include <Quaternionic_linear_algebra/dense/hermitian_eigen_decomposition.h>
 
-#include <Eigen/Core>
 #include <Eigen/Geometry>
 
 #include <cmath>

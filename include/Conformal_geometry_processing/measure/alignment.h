@@ -6,10 +6,8 @@
 #include <Eigen/Core>
 
 namespace Conformal_geometry_processing {
-
 namespace internal {
 
-/// \ingroup PkgMeasure
 /// A similarity of R^3 that aligns one set of points with another
 struct Alignment {
   Eigen::Matrix3d rotation;  ///< determinant +1

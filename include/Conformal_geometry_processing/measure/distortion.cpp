@@ -5,7 +5,6 @@
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 #include <Quaternionic_linear_algebra/threads/Thread_team.h>
 
-#include <Eigen/Core>
 #include <Eigen/Geometry>
 
 #include <algorithm>

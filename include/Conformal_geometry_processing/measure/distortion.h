@@ -9,7 +9,6 @@
 namespace Conformal_geometry_processing {
 namespace internal {
 
-/// \ingroup PkgMeasure
 /// \brief Statistics of a quantity on a surface.
 struct Distribution {
   double mean = 0;  ///< weighted
@@ -37,7 +36,6 @@ Eigen::VectorXd histogram(const Eigen::VectorXd& values, const Eigen::VectorXd& 
 
 namespace internal {
 
-/// \ingroup PkgMeasure
 /// \brief the linear maps of the faces to their images, measured in one pass.
 struct Face_maps {
   Eigen::VectorXd quasi_conformal;   ///< `quasi_conformal_errors()`
@@ -71,7 +69,6 @@ Eigen::VectorXd length_scales(const Mesh_view& mesh, const Points& positions);
 
 namespace internal {
 
-/// \ingroup PkgMeasure
 /// measures of the area distortion of a map
 struct Area_distortion {
   double min_scale = 1, max_scale = 1;  ///< range of `length_scales()`
@@ -106,7 +103,6 @@ Eigen::VectorXd log_length_cross_ratios(const Mesh_view& mesh, const Points& pos
 
 namespace internal {
 
-/// \ingroup PkgMeasure
 /// Deviation of a map from discrete conformality; zero for Moebius transformations
 struct Length_cross_ratio_change {
   double rms = 0;  ///< over the interior edges

@@ -7,7 +7,6 @@
 #include <Quaternionic_linear_algebra/algebra/Quaternion.h>
 #include <Quaternionic_linear_algebra/algebra/stable_norm.h>
 
-#include <Eigen/Core>
 #include <Eigen/Geometry>
 
 #include <cmath>

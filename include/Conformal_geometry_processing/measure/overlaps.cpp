@@ -6,7 +6,6 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
-#include <vector>
 
 namespace Conformal_geometry_processing::internal {
 namespace {

@@ -7,14 +7,12 @@
 
 namespace Conformal_geometry_processing::internal {
 
-/// \ingroup PkgMeasure
 /// two faces whose images in the plane have an area in common
 struct Overlap {
   int first, second;  ///< first < second
   double area;        ///< what they have in common
 };
 
-/// \ingroup PkgMeasure
 /// \brief The overlaps of a map to the plane, in ascending order: pairs of faces that have more in
 /// common than a millionth of the smaller one.
 ///
@@ -24,14 +22,12 @@ struct Overlap {
 /// \param positions in the plane, finite, 3 x |V|; z is left out
 std::vector<Overlap> overlaps(const Mesh_view& mesh, const Points& positions);
 
-/// \ingroup PkgMeasure
 /// how much of a map to the plane covers what another part of it covers
 struct Overlap_summary {
   int faces = 0;     ///< that overlap another one
   double share = 0;  ///< common area of all pairs by the area of the image
 };
 
-/// \ingroup PkgMeasure
 /// \param pairs from `overlaps()`
 Overlap_summary overlap_summary(const std::vector<Overlap>& pairs, const Mesh_view& mesh,
                                 const Points& positions);

@@ -2,16 +2,11 @@
 #include <Conformal_geometry_processing/mesh/Boundary_frames.h>
 
 #include <Conformal_geometry_processing/mesh/normals.h>
-#include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Quaternionic_linear_algebra/algebra/stable_norm.h>
 
-#include <Eigen/Core>
 #include <Eigen/Geometry>
 
-#include <cstddef>
-#include <string>
 #include <utility>
-#include <vector>
 
 namespace Conformal_geometry_processing {
 

@@ -15,13 +15,11 @@
 namespace Conformal_geometry_processing {
 namespace internal {
 
-/// \ingroup PkgMesh
 /// \brief the right-handed orthonormal frame (T, N, B) of a surface at a vertex of its boundary, in
 /// columns: T along the boundary with the surface on its left, N the normal, B = T x N pointing out
 /// of the surface.
 using Boundary_frame = Eigen::Matrix3d;
 
-/// \ingroup PkgMesh
 /// \brief the boundary vertices of a surface in order, with a frame at each.
 ///
 /// T is the `circle_tangent()`. N is the angle-weighted normal of the vertex, made orthogonal to T.
@@ -64,7 +62,6 @@ internal::Boundary_frames boundary_frames(const Surface_ref& surface);
 
 namespace internal {
 
-/// \ingroup PkgMesh
 /// \brief the closed curves of edges that marked vertices form, each with its vertices in order.
 ///
 /// A curve begins at its vertex of smallest number. O(|V| + |E|).
@@ -76,5 +73,4 @@ std::vector<std::vector<int>> closed_curves(
     const std::function<std::string(int)>& name = name_of_vertex);
 
 }  // namespace internal
-
 }  // namespace Conformal_geometry_processing

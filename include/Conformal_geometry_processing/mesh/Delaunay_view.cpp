@@ -1,21 +1,16 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/mesh/Delaunay_view.h>
 
-#include <Conformal_geometry_processing/mesh/Intrinsic_triangulation.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Quaternionic_linear_algebra/exceptions.h>
 
-#include <Eigen/Core>
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
-#include <cstddef>
 #include <string>
 #include <utility>
-#include <vector>
 
 namespace Conformal_geometry_processing {
 

@@ -26,7 +26,6 @@ std::vector<int> boundary_caps(const internal::Intrinsic_triangulation& triangle
 
 namespace internal {
 
-/// \ingroup PkgMesh
 /// \brief Closed 1-forms on an intrinsic triangulation, updated by its flips: integrals along paths
 /// do not change, because the sum around every triangle is zero.
 ///
@@ -51,7 +50,6 @@ class Transported_forms {
   Rows m_sides;   // of the two triangles that a flip changes
 };
 
-/// \ingroup PkgMesh
 /// \brief Partition of the faces of a mesh by its intrinsic triangulation, and the embedding of the
 /// pieces in space.
 ///

@@ -17,7 +17,6 @@ Eigen::VectorXd edge_lengths(const Mesh_view& mesh);
 
 namespace internal {
 
-/// \ingroup PkgMesh
 /// Edge lengths without degenerate triangles
 struct Mollified_lengths {
   Eigen::VectorXd lengths;  ///< |E|
@@ -41,7 +40,6 @@ internal::Mollified_lengths mollified_lengths(const Mesh_view& mesh, double shar
 
 namespace internal {
 
-/// \ingroup PkgMesh
 /// \brief A triangulation given by edge lengths only, with intrinsic edge flips [Fisher et al.
 /// 2007; Bobenko and Springborn 2007].
 ///

@@ -5,12 +5,8 @@
 
 #include <Eigen/Core>
 
-#include <algorithm>
 #include <array>
-#include <cstddef>
-#include <string>
 #include <utility>
-#include <vector>
 
 namespace Conformal_geometry_processing {
 

@@ -12,7 +12,6 @@
 namespace Conformal_geometry_processing {
 namespace internal {
 
-/// \ingroup PkgMesh
 /// \brief A part of a mesh, such as a connected component, as a separate mesh.
 ///
 /// Unless reordered, elements keep their order: results are bitwise those of the part alone.
@@ -32,12 +31,10 @@ std::vector<internal::Mesh_component> mesh_components(const Mesh_view& mesh);
 
 namespace internal {
 
-/// \ingroup PkgMesh
 /// Returns the faces with a nonzero entry, and their vertices. O(|V| + |F|)
 /// \param is_selected |F|
 Mesh_component selected_faces(const Mesh_view& mesh, const std::vector<char>& is_selected);
 
-/// \ingroup PkgMesh
 /// \brief The reasons why components of a mesh failed: each reason once, with the first components
 /// that failed for it and the number of the others.
 ///
@@ -70,7 +67,6 @@ class Failure_reasons {
   std::size_t m_size = 0;
 };
 
-/// \ingroup PkgMesh
 /// \brief Collects the failures of the components of a mesh. All components are tried, so that all
 /// failures are reported at once.
 class Component_failures {
@@ -112,7 +108,6 @@ class Component_failures {
   bool m_is_of_data = false;
 };
 
-/// \ingroup PkgMesh
 /// The report of an algorithm on one component of a mesh
 template <class Report>
 struct Component_report {
@@ -121,7 +116,6 @@ struct Component_report {
   Report report;
 };
 
-/// \ingroup PkgMesh
 /// \brief The reports of an algorithm that processes each component of a mesh separately, in the
 /// order of their first vertices.
 template <class Report>
@@ -137,5 +131,4 @@ struct [[nodiscard]] Component_reports {
 };
 
 }  // namespace internal
-
 }  // namespace Conformal_geometry_processing

@@ -4,17 +4,11 @@
 #include <Quaternionic_linear_algebra/algebra/stable_norm.h>
 #include <Quaternionic_linear_algebra/exceptions.h>
 
-#include <Eigen/Core>
 #include <Eigen/Geometry>
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
 #include <limits>
 #include <numeric>
 #include <string>
-#include <utility>
-#include <vector>
 
 namespace Conformal_geometry_processing {
 

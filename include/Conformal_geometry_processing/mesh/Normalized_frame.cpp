@@ -3,9 +3,6 @@
 
 #include <Quaternionic_linear_algebra/algebra/stable_norm.h>
 
-#include <Eigen/Core>
-
-#include <cmath>
 #include <utility>
 
 namespace Conformal_geometry_processing {

@@ -9,7 +9,6 @@
 
 namespace Conformal_geometry_processing::internal {
 
-/// \ingroup PkgMesh
 /// \brief Normalized coordinates for all numerical computations: the centre of the bounding box is
 /// the origin, half its diagonal is about 1.
 ///
@@ -38,7 +37,6 @@ class Normalized_frame {
   int m_exponent;
 };
 
-/// \ingroup PkgMesh
 /// \brief Returns the mesh in its `Normalized_frame`: of moderate size, where products of areas and
 /// volumes neither overflow nor underflow.
 /// \pre the mesh has vertices, with finite coordinates

@@ -11,7 +11,6 @@
 namespace Conformal_geometry_processing {
 namespace internal {
 
-/// \ingroup PkgMesh
 /// \brief which of a surface is counted, and how the numbers of several parts become those of the
 /// whole: with one, what measures a surface measures one whose parts are in several processes.
 ///

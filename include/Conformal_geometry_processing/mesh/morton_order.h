@@ -5,7 +5,6 @@
 
 namespace Conformal_geometry_processing::internal {
 
-/// \ingroup PkgMesh
 /// \brief the part with its vertices along the Morton curve of their positions, and its faces
 /// sorted by their corners, the least of which is the first: what is near on the surface is near in
 /// memory.

@@ -5,10 +5,8 @@
 #include <Conformal_geometry_processing/mesh/Surface_ref.h>
 
 namespace Conformal_geometry_processing {
-
 namespace internal {
 
-/// \ingroup PkgMesh
 /// the weight of each incident face in the normal of a vertex
 enum class Normal_weight {
   area,    ///< its area: the sum is the gradient of the enclosed volume

@@ -3,12 +3,9 @@
 
 #include <Conformal_geometry_processing/mesh/topology.h>
 
-#include <Eigen/Core>
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <cstddef>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -262,10 +259,16 @@ void require_surface(const Mesh_view& mesh, const std::string& function)
 
 namespace internal {
 
-bool Face_height::operator<(const Face_height& other) const
-{
-  return std::pair(relative, face) < std::pair(other.relative, other.face);
-}
+/// The relative height of a face: height over longest edge
+struct Face_height {
+  double relative, twice_area;
+  int face;
+
+  bool operator<(const Face_height& other) const
+  {
+    return std::pair(relative, face) < std::pair(other.relative, other.face);
+  }
+};
 
 Face_height face_height(const Mesh_view& mesh, int f)
 {

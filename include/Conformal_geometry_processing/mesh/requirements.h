@@ -151,18 +151,10 @@ void require_surface(const Mesh_view& mesh, const std::string& function);
 
 namespace internal {
 
-/// \ingroup PkgMesh
 /// A mesh without its thinnest faces
 struct Well_shaped_faces {
   Mesh_view mesh;    ///< all vertices, and the remaining faces
   double share = 0;  ///< of the remaining faces in the area of the mesh
-};
-
-/// The relative height of a face: height over longest edge
-struct Face_height {
-  double relative, twice_area;
-  int face;
-  bool operator<(const Face_height& other) const;
 };
 
 }  // namespace internal

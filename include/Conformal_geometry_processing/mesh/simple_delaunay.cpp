@@ -7,12 +7,10 @@
 #include <Eigen/Core>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <set>
 #include <utility>
-#include <vector>
 
 namespace Conformal_geometry_processing {
 namespace internal {

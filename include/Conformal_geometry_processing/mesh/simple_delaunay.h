@@ -8,7 +8,6 @@
 
 namespace Conformal_geometry_processing::internal {
 
-/// \ingroup PkgMesh
 /// \brief The mesh with the connectivity of its intrinsic Delaunay triangulation, as a mesh whose
 /// edges are chords: its faces are well shaped where those of the input are slivers.
 ///
@@ -22,14 +21,12 @@ namespace Conformal_geometry_processing::internal {
 Mesh_view simple_delaunay(const Mesh_view& mesh, double mollification = 0,
                           std::vector<std::array<int, 2>>* flips = nullptr);
 
-/// \ingroup PkgMesh
 /// \brief Likewise, Delaunay by its own edges: chords are shorter than what they stand for in the
 /// intrinsic triangulation, so it is flipped again until nothing changes (mostly two or three
 /// times).
 Mesh_view delaunay_by_chords(Mesh_view mesh, double mollification,
                              std::vector<std::array<int, 2>>& flips);
 
-/// \ingroup PkgMesh
 /// \brief The mesh with vertices moved until all faces have an area, for algorithms on chords.
 ///
 /// A face is thin if its longest edge is not shorter than the sum of the two others by at least

@@ -14,7 +14,6 @@ std::vector<int> connected_components(const Mesh_view& mesh);
 
 namespace internal {
 
-/// \ingroup PkgMesh
 /// \brief Topological invariants that classify a surface up to homeomorphism.
 struct Topology {
   int vertices = 0, edges = 0, faces = 0;

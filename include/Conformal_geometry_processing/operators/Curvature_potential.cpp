@@ -4,11 +4,7 @@
 #include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 
-#include <Eigen/Core>
-#include <array>
 #include <cmath>
-#include <string>
-#include <utility>
 
 namespace Conformal_geometry_processing {
 

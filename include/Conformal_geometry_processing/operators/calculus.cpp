@@ -6,8 +6,6 @@
 #include <Conformal_geometry_processing/operators/dirac_energy.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 
-#include <Eigen/Core>
-
 namespace Conformal_geometry_processing {
 
 Quaternion_vector<double> as_quaternions(const Eigen::VectorXd& numbers)

@@ -18,7 +18,6 @@ Quaternion_vector<double> as_quaternions(const Points& vectors);
 
 namespace internal {
 
-/// \ingroup PkgOperators
 /// \brief D and the decomposition of its values: the basis of the vector calculus on a surface [CGP
 /// 3.3, Table 3.1].
 ///

@@ -3,9 +3,6 @@
 
 #include <Conformal_geometry_processing/operators/vertex_graph.h>
 
-#include <Eigen/Core>
-
-#include <memory>
 #include <utility>
 
 namespace Conformal_geometry_processing {

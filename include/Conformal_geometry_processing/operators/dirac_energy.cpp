@@ -3,12 +3,10 @@
 
 #include <Conformal_geometry_processing/operators/vertex_graph.h>
 
-#include <Eigen/Core>
 #include <Eigen/Geometry>
 
 #include <array>
 #include <cmath>
-#include <cstddef>
 
 namespace Conformal_geometry_processing {
 
@@ -272,5 +270,4 @@ Eigen::VectorXd form_gradient(const Surface_ref& surface, Curvature_potential::O
 }
 
 }  // namespace internal
-
 }  // namespace Conformal_geometry_processing

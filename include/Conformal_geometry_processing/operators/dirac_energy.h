@@ -45,7 +45,6 @@ Hermitian_sparse_matrix<Quaternion<double>> dirac_form(const Surface_ref& surfac
 
 namespace internal {
 
-/// \ingroup PkgOperators
 /// \brief the two forms whose quotient is the *signed* eigenvalue of D - rho, on k vectors V: |V| x
 /// k. Both are k x k and Hermitian.
 struct Dirac_forms {
@@ -53,7 +52,6 @@ struct Dirac_forms {
   Block<Quaternion<double>> mass;   ///< V^H B^H M_F B V; positive definite
 };
 
-/// \ingroup PkgOperators
 /// row c of M (D - R) on a sheet, divided by its share; r: rho at the corners
 inline Quaternion<double> dirac_row(const Sheet& sheet, const Eigen::Vector3d& r, int c)
 {
@@ -99,14 +97,12 @@ double dirac_misfit(const Surface_ref& surface, const Curvature_potential& rho,
 
 namespace internal {
 
-/// \ingroup PkgOperators
 /// the index of the value of rho at a corner
 inline int potential_index(const Sheet& sheet, Curvature_potential::On on, std::size_t c)
 {
   return on == Curvature_potential::On::vertices ? sheet.corners[c] : sheet.face;
 }
 
-/// \ingroup PkgOperators
 /// \brief minus the derivative of X lambda for changes d of rho: (E^H M A + A^H M E) lambda with
 /// A = D - R and E the matrix that multiplies by d and averages on faces; |V| x k. O(k sheets).
 /// \param rho at which X is differentiated, in 1/length
@@ -115,19 +111,16 @@ Block<Quaternion<double>> energy_change(const Surface_ref& surface, const Curvat
                                         const Quaternion_vector<double>& lambda,
                                         const Eigen::MatrixXd& changes);
 
-/// \ingroup PkgOperators
 /// \brief the transpose of `energy_change()`: the gradients of -Re <z, X lambda> with respect to
 /// rho for k columns z; |V| or |F| x k.
 Eigen::MatrixXd energy_gradient(const Surface_ref& surface, const Curvature_potential& rho,
                                 const Quaternion_vector<double>& lambda,
                                 const Block<Quaternion<double>>& z);
 
-/// \ingroup PkgOperators
 /// \brief the gradient of -<lambda, H lambda> with respect to rho, H from `apply_dirac_form()`: the
 /// integral of |B lambda|^2 for each value of rho; |V| or |F|.
 Eigen::VectorXd form_gradient(const Surface_ref& surface, Curvature_potential::On on,
                               const Quaternion_vector<double>& lambda);
 
 }  // namespace internal
-
 }  // namespace Conformal_geometry_processing

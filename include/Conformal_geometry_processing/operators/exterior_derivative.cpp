@@ -1,9 +1,6 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/operators/exterior_derivative.h>
 
-#include <Eigen/Core>
-#include <Eigen/SparseCore>
-
 namespace Conformal_geometry_processing {
 
 Eigen::SparseMatrix<double, Eigen::RowMajor> exterior_derivative_0(const Mesh_view& mesh)

@@ -3,8 +3,6 @@
 
 #include <Conformal_geometry_processing/operators/cotan_laplacian.h>
 
-#include <Eigen/Core>
-
 #include <cstddef>
 
 namespace Conformal_geometry_processing {

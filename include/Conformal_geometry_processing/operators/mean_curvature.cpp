@@ -5,11 +5,7 @@
 #include <Conformal_geometry_processing/operators/cotan_laplacian.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 
-#include <Eigen/Core>
-
 #include <cstddef>
-#include <utility>
-#include <vector>
 
 namespace Conformal_geometry_processing {
 namespace internal {

@@ -1,10 +1,7 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/operators/vertex_graph.h>
 
-#include <algorithm>
 #include <array>
-#include <cstddef>
-#include <memory>
 #include <vector>
 
 namespace Conformal_geometry_processing {

@@ -12,7 +12,6 @@
 namespace Conformal_geometry_processing {
 namespace internal {
 
-/// \ingroup PkgOperators
 /// first <= i < last
 struct Index_range {
   int first, last;
@@ -27,7 +26,6 @@ struct Index_range {
   }
 };
 
-/// \ingroup PkgOperators
 /// \brief Calls `visit(own)` on several threads, with ranges of vertices, or of faces, that make up
 /// all: each call sums up, over the sheets that concern its range, what belongs to this.
 ///
@@ -45,7 +43,6 @@ void for_each_owned_range(int count, const Visitor& visit)
       1);
 }
 
-/// \ingroup PkgOperators
 /// Calls `add(sheet)` for all sheets with `concerns(sheet)`, in their order
 template <class Concerns, class Add>
 void for_each_sheet_if(const Surface_ref& surface, const Concerns& concerns, const Add& add)
@@ -56,7 +53,6 @@ void for_each_sheet_if(const Surface_ref& surface, const Concerns& concerns, con
   }
 }
 
-/// \ingroup PkgOperators
 /// Calls `add(sheet)` for all sheets with a corner in the range, in their order
 template <class Add>
 void for_each_sheet_at(const Index_range& own, const Surface_ref& surface, const Add& add)
@@ -65,7 +61,6 @@ void for_each_sheet_at(const Index_range& own, const Surface_ref& surface, const
       surface, [&](const Sheet& sheet) { return own.touches(sheet); }, add);
 }
 
-/// \ingroup PkgOperators
 /// \brief Returns the sum of what `add(sheet, sum)` adds to `zero`, over all sheets, on several
 /// threads; the same bits for any number.
 template <class Sum, class Add>
@@ -141,5 +136,4 @@ void assemble_sheets(const Surface_ref& surface, Hermitian_sparse_matrix<Scalar>
 }
 
 }  // namespace internal
-
 }  // namespace Conformal_geometry_processing

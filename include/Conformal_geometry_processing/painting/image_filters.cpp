@@ -3,10 +3,7 @@
 
 #include <Quaternionic_linear_algebra/exceptions.h>
 
-#include <Eigen/Core>
-
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <string>
 #include <utility>

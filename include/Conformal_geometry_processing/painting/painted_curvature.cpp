@@ -1,8 +1,6 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/painting/painted_curvature.h>
 
-#include <Eigen/Core>
-
 namespace Conformal_geometry_processing {
 
 Curvature_potential painted_curvature(const Gray_image& image, const Eigen::Matrix2Xd& places,

@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <deque>
 #include <numeric>
-#include <vector>
 
 namespace Conformal_geometry_processing::internal {
 namespace {

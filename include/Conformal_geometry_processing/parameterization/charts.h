@@ -8,7 +8,6 @@
 
 namespace Conformal_geometry_processing::internal {
 
-/// \ingroup PkgParameterization
 /// \brief Divides a surface into charts such that no two faces of a chart overlap in the plane.
 ///
 /// Each chart grows across edges, from the face deepest inside that has none yet, as long as it

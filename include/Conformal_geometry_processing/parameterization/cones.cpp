@@ -14,7 +14,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <vector>
 
 namespace Conformal_geometry_processing::internal {
 namespace {
@@ -25,9 +24,7 @@ const double pi = std::acos(-1.);
 /// constant
 std::vector<int> grounded_vertices(const Mesh_view& mesh)
 {
-  std::vector<char> is_there(static_cast<std::size_t>(mesh.size_of_vertices()), 0);
-  for (int h = 0; h < mesh.size_of_halfedges(); ++h)
-    if (mesh.twin(h) < 0) is_there[static_cast<std::size_t>(mesh.from(h))] = 1;
+  const std::vector<char> is_there = boundary_vertices(mesh);
   std::vector<int> found;
   for (int v = 0; v < mesh.size_of_vertices(); ++v)
     if (is_there[static_cast<std::size_t>(v)]) found.push_back(v);

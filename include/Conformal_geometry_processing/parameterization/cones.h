@@ -10,14 +10,12 @@
 
 namespace Conformal_geometry_processing::internal {
 
-/// \ingroup PkgParameterization
 /// a vertex where a metric that is flat elsewhere keeps a curvature
 struct Cone {
   int vertex;
   std::optional<double> defect = {};  ///< 2 pi minus the angle
 };
 
-/// \ingroup PkgParameterization
 /// cones, and the metric exp(2 u) times that of the surface which is flat outside them, to first
 /// order: L u = defects - K
 struct Cone_metric {
@@ -25,12 +23,10 @@ struct Cone_metric {
   Eigen::VectorXd log_scale;  ///< u of each vertex, with mean zero over the area
 };
 
-/// \ingroup PkgParameterization
 /// \brief The angle defects K of the vertices: 2 pi minus the sum of the angles, pi at the
 /// boundary, |V|. They sum to 2 pi chi.
 Eigen::VectorXd angle_defects(const Mesh_view& mesh);
 
-/// \ingroup PkgParameterization
 /// \brief Places cones such that areas change little in the conformal metric that is flat outside
 /// them.
 ///

@@ -6,12 +6,8 @@
 #include <Quaternionic_linear_algebra/algebra/stable_norm.h>
 #include <Quaternionic_linear_algebra/direct/Ordering.h>
 
-#include <Eigen/Core>
-
 #include <array>
-#include <complex>
 #include <cstddef>
-#include <memory>
 #include <utility>
 
 namespace Conformal_geometry_processing {

@@ -3,13 +3,10 @@
 
 #include <Conformal_geometry_processing/mesh/topology.h>
 
-#include <Eigen/Core>
-
 #include <cmath>
 #include <complex>
 #include <cstddef>
 #include <utility>
-#include <vector>
 
 namespace Conformal_geometry_processing {
 

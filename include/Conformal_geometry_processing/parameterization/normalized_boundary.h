@@ -8,10 +8,8 @@
 #include <vector>
 
 namespace Conformal_geometry_processing {
-
 namespace internal {
 
-/// \ingroup PkgParameterization
 /// \brief Part of the boundary whose variance is fixed while the energy is minimized.
 enum class Normalized_boundary {
   longest_loop,  ///< shapes and sizes of holes are free

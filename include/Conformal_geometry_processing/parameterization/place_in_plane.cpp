@@ -3,14 +3,11 @@
 
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 
-#include <Eigen/Core>
-
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <cstddef>
 #include <numeric>
-#include <vector>
 
 namespace Conformal_geometry_processing {
 

@@ -5,12 +5,9 @@
 #include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Conformal_geometry_processing/mesh/topology.h>
 
-#include <Eigen/Core>
-
 #include <cmath>
 #include <complex>
 #include <cstddef>
-#include <string>
 
 namespace Conformal_geometry_processing {
 

@@ -5,7 +5,6 @@
 #include <Conformal_geometry_processing/operators/cotan_laplacian.h>
 #include <Conformal_geometry_processing/operators/vertex_graph.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <deque>

@@ -13,7 +13,6 @@
 
 namespace Conformal_geometry_processing::internal {
 
-/// \ingroup PkgParameterization
 /// Two edges whose images in the plane are to differ by a similarity: both sides of a cut, or
 /// neighbours at the boundary
 struct Seam {
@@ -21,7 +20,6 @@ struct Seam {
   std::complex<double> ratio;  ///< z[right[1]] - z[right[0]] by z[left[1]] - z[left[0]]
 };
 
-/// \ingroup PkgParameterization
 /// \brief The seams of a surface that was cut open to a disk through the cones of a metric that is
 /// flat elsewhere, exp(2 u) times its own, and those of its boundary before.
 ///
@@ -35,12 +33,10 @@ struct Seam {
 std::vector<Seam> seams_of(const Mesh_view& mesh, const std::vector<int>& origin,
                            const Eigen::VectorXd& log_scale);
 
-/// \ingroup PkgParameterization
 /// The vertex graph with entries for all pairs of vertices of a seam
 std::shared_ptr<const Sparse_pattern> graph_with_seams(const Mesh_view& mesh,
                                                        const std::vector<Seam>& seams);
 
-/// \ingroup PkgParameterization
 /// \brief Adds to an energy on that graph the squares of what images miss of their ratios, times
 /// a weight: `stiffness` is that of the springs that join the two sides.
 void add_seams(const std::vector<Seam>& seams, double stiffness,

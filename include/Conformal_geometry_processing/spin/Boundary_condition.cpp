@@ -5,13 +5,10 @@
 #include <Quaternionic_linear_algebra/algebra/stable_norm.h>
 #include <Quaternionic_linear_algebra/exceptions.h>
 
-#include <Eigen/Core>
 #include <Eigen/LU>
 #include <cmath>
 #include <cstddef>
-#include <string>
 #include <utility>
-#include <vector>
 
 namespace Conformal_geometry_processing {
 

@@ -7,14 +7,8 @@
 #include <Quaternionic_linear_algebra/exceptions.h>
 #include <Quaternionic_linear_algebra/threads/Thread_team.h>
 
-#include <Eigen/Core>
-
 #include <algorithm>
-#include <memory>
-#include <optional>
-#include <string>
 #include <utility>
-#include <vector>
 
 namespace Conformal_geometry_processing::internal {
 

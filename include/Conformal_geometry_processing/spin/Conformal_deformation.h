@@ -17,7 +17,6 @@
 
 namespace Conformal_geometry_processing::internal {
 
-/// \ingroup PkgSpin
 /// options of `Conformal_deformation`
 struct Conformal_deformation_options {
   /// how handles stay closed, mollification, and the bound on scales; the boundary has to be free
@@ -31,7 +30,6 @@ struct Conformal_deformation_options {
   double min_step = 1. / 32;  ///< the smallest step towards the targets, as a share of the way
 };
 
-/// \ingroup PkgSpin
 /// \brief deforms a surface conformally so that control points on it move to given positions: finds
 /// the least change rho of mean curvature, and spins that nearly solve its Dirac equation [CGP
 /// (5.3)-(5.5)], whose surface, placed by a similarity, has them there.

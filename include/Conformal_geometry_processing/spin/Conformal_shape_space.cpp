@@ -4,12 +4,8 @@
 #include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Conformal_geometry_processing/operators/dirac.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
-#include <Conformal_geometry_processing/spin/Dirac_system.h>
-
-#include <Eigen/Core>
 
 #include <cmath>
-#include <string>
 
 namespace Conformal_geometry_processing {
 

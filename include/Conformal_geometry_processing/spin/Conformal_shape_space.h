@@ -12,7 +12,6 @@
 
 namespace Conformal_geometry_processing::internal {
 
-/// \ingroup PkgSpin
 /// \brief the space of conformal shapes near a surface: the hypersurface of the half-densities rho
 /// |df| for which the Dirac equation has the eigenvalue zero [CGP 4.5.1].
 ///

@@ -5,14 +5,9 @@
 #include <Quaternionic_linear_algebra/dense/hermitian_eigen_decomposition.h>
 #include <Quaternionic_linear_algebra/exceptions.h>
 
-#include <Eigen/Core>
-#include <Eigen/Geometry>
-
 #include <cmath>
 #include <cstddef>
 #include <map>
-#include <string>
-#include <vector>
 
 namespace Conformal_geometry_processing::internal {
 

@@ -11,7 +11,6 @@
 
 namespace Conformal_geometry_processing::internal {
 
-/// \ingroup PkgSpin
 /// \brief a point that moves with a surface, an affine combination of its vertices, and the
 /// position where it is wanted.
 struct Control_point {

@@ -4,9 +4,6 @@
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 #include <Conformal_geometry_processing/operators/vertex_graph.h>
 
-#include <Eigen/Core>
-
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <utility>

@@ -14,7 +14,6 @@ namespace Conformal_geometry_processing::internal {
 
 struct Index_range;
 
-/// \ingroup PkgSpin
 /// weights of the residuals of a `Dirac_misfit`, numbers without a unit
 struct Misfit_weights {
   double sheets = 0.2;
@@ -24,7 +23,6 @@ struct Misfit_weights {
   double sum() const { return sheets + vertices; }
 };
 
-/// \ingroup PkgSpin
 /// \brief the residual of the Dirac equation (D - rho) lambda = 0, relative to |lambda|, on sheets
 /// and at vertices, and its derivative dr = A y - N d for changes y of lambda and d of rho.
 ///
@@ -101,7 +99,6 @@ class Dirac_misfit {
   Image m_residual;
 };
 
-/// \ingroup PkgSpin
 /// \brief how much spins leave of the equation, in 1/length: the root mean squares of r_s and r_v
 /// of `Dirac_misfit` over the area.
 struct Misfit_sizes {
@@ -112,7 +109,6 @@ struct Misfit_sizes {
   bool averages_out() const { return vertices < 0.9 * sheets; }
 };
 
-/// \ingroup PkgSpin
 /// \param rho |V| \param lambda |V|
 Misfit_sizes misfit_sizes(const Dirac_misfit::Geometry& geometry, const Eigen::VectorXd& rho,
                           const Quaternion_vector<double>& lambda);

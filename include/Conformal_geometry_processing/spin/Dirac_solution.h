@@ -39,7 +39,6 @@ struct Dirac_options {
 
 namespace internal {
 
-/// \ingroup PkgSpin
 /// \brief the numbers that verify a solution of the Dirac equation.
 struct Dirac_evidence {
   bool converged = false;  ///< the equation is solved to the tolerance
@@ -79,7 +78,6 @@ struct Dirac_evidence {
   };
 };
 
-/// \ingroup PkgSpin
 /// a solution of the Dirac equation
 struct Dirac_solution : Dirac_evidence {
   Quaternion_vector<double> lambda;  ///< |V|; mean real and positive, mean of |lambda|^2 one
@@ -89,12 +87,10 @@ struct Dirac_solution : Dirac_evidence {
   int largest_span = 0;  ///< vectors of the largest span in which the branch was followed
 };
 
-/// \ingroup PkgSpin
 /// adds the iterations, factorizations and solves of another solution, one of which may be
 /// unfinished
 void add_costs(Dirac_evidence& all, const Dirac_evidence& next);
 
-/// \ingroup PkgSpin
 void add_costs(Dirac_evidence::Seconds& all, const Dirac_evidence::Seconds& next);
 
 }  // namespace internal

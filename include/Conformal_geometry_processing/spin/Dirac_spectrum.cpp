@@ -5,20 +5,13 @@
 #include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Conformal_geometry_processing/mesh/topology.h>
 #include <Conformal_geometry_processing/operators/dirac_energy.h>
-#include <Conformal_geometry_processing/spin/Dirac_system.h>
-#include <Conformal_geometry_processing/spin/Spectral_pairs.h>
 #include <Conformal_geometry_processing/spin/dirac_pencils.h>
-#include <Quaternionic_linear_algebra/algebra/Quaternion_vector.h>
 #include <Quaternionic_linear_algebra/threads/Thread_team.h>
-
-#include <Eigen/Core>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <string>
 #include <utility>
-#include <vector>
 
 namespace Conformal_geometry_processing {
 

@@ -19,7 +19,6 @@
 namespace Conformal_geometry_processing {
 namespace internal {
 
-/// \ingroup PkgSpin
 /// which eigenvalues of D - rho are computed, and how accurately
 struct Dirac_spectrum_options {
   double shift = 0;         ///< the eigenvalues nearest to it are found; in 1/length
@@ -28,7 +27,6 @@ struct Dirac_spectrum_options {
   unsigned random_seed = 0;
 };
 
-/// \ingroup PkgSpin
 /// \brief eigenvalues and eigenfunctions of D - rho, those nearest to a shift first.
 ///
 /// On closed surfaces, eigenspaces are quaternionic (lambda q is an eigenfunction if lambda is),
@@ -64,7 +62,6 @@ struct Dirac_spectrum {
   bool is_complete() const;
 };
 
-/// \ingroup PkgSpin
 /// an eigenvalue with its multiplicity
 struct Multiple_eigenvalue {
   double value;  ///< mean of the merged values
@@ -82,7 +79,6 @@ std::vector<internal::Multiple_eigenvalue> with_multiplicities(const Eigen::Vect
 
 namespace internal {
 
-/// \ingroup PkgSpin
 /// \brief finds the eigenvalues nearest to a shift s, and eigenfunctions, of D - rho, on closed
 /// surfaces and on surfaces with boundary where D is self-adjoint [CGP 5.8.2].
 ///
@@ -157,5 +153,4 @@ class Dirac_spectral_problem {
 };
 
 }  // namespace internal
-
 }  // namespace Conformal_geometry_processing

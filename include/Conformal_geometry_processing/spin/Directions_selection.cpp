@@ -3,7 +3,6 @@
 
 #include <Conformal_geometry_processing/operators/dirac_energy.h>
 #include <Conformal_geometry_processing/spin/Dirac_misfit.h>
-#include <Conformal_geometry_processing/spin/Dirac_system.h>
 #include <Conformal_geometry_processing/spin/certify.h>
 #include <Quaternionic_linear_algebra/direct/Stopwatch.h>
 #include <Quaternionic_linear_algebra/reduced/Reduced_hermitian_solver.h>
@@ -13,7 +12,6 @@
 #include <functional>
 #include <limits>
 #include <utility>
-#include <vector>
 
 namespace Conformal_geometry_processing::internal {
 

@@ -3,13 +3,8 @@
 
 #include <Conformal_geometry_processing/forms/Hodge_decomposition.h>
 #include <Conformal_geometry_processing/operators/cotan_laplacian.h>
-#include <Conformal_geometry_processing/spin/Dirac_system.h>
-
-#include <Eigen/Core>
 
 #include <algorithm>
-#include <cmath>
-#include <optional>
 #include <utility>
 
 namespace Conformal_geometry_processing {

@@ -18,7 +18,6 @@
 namespace Conformal_geometry_processing {
 namespace internal {
 
-/// \ingroup PkgSpin
 /// \brief an orthonormal basis of the functions on the vertices that a direction must be orthogonal
 /// to, with the inner product sum_i M_V,i a_i b_i [CGP 6.4.4].
 ///
@@ -48,7 +47,6 @@ class Constraint_basis {
   Eigen::MatrixXd m_basis;  // |V| x rank
 };
 
-/// \ingroup PkgSpin
 /// \brief the functions that rho must be orthogonal to on a surface with handles or holes so that
 /// the edges of the transformed surface stay exact, that is close up around them, and the defect of
 /// a transformation [CGP 4.5.2].
@@ -111,5 +109,4 @@ struct Period_limit {
 };
 
 }  // namespace internal
-
 }  // namespace Conformal_geometry_processing

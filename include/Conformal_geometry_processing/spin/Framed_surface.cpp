@@ -2,13 +2,8 @@
 #include <Conformal_geometry_processing/spin/Framed_surface.h>
 
 #include <Conformal_geometry_processing/forms/tree_cotree.h>
-#include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Quaternionic_linear_algebra/exceptions.h>
 
-#include <Eigen/Core>
-
-#include <optional>
-#include <string>
 #include <utility>
 
 namespace Conformal_geometry_processing::internal {

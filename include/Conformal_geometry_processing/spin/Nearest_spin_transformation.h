@@ -19,7 +19,6 @@
 namespace Conformal_geometry_processing {
 namespace internal {
 
-/// \ingroup PkgSpin
 /// \brief how far surfaces are from a target with the same faces, in positions and in normals, both
 /// relative to the mesh that is to be deformed.
 ///

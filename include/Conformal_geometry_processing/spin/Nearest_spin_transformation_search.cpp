@@ -14,7 +14,6 @@
 #include <vector>
 
 namespace Conformal_geometry_processing {
-
 namespace internal {
 
 /// every vertex, with its place in targets

@@ -7,9 +7,7 @@
 #include <Conformal_geometry_processing/spin/transformed_edges.h>
 
 #include <Eigen/Cholesky>
-#include <Eigen/Core>
 
-#include <cmath>
 #include <utility>
 
 namespace Conformal_geometry_processing::internal {

@@ -13,7 +13,6 @@
 
 namespace Conformal_geometry_processing::internal {
 
-/// \ingroup PkgSpin
 /// \brief the harmonic part of the transformed edges, three numbers for each loop around handles
 /// and holes: its norm is `Exactness_constraints::period_defect()`, zero if the surface closes.
 class Period_residual : public Spin_residual {
@@ -46,7 +45,6 @@ class Period_residual : public Spin_residual {
   Eigen::VectorXd m_values;
 };
 
-/// \ingroup PkgSpin
 /// spins whose edges close up around handles and holes
 struct Closed_spins {
   Quaternion_vector<double> lambda;  ///< |V|
@@ -55,7 +53,6 @@ struct Closed_spins {
   int solves = 0;
 };
 
-/// \ingroup PkgSpin
 /// \brief changes spins that solve a Dirac equation, and rho, until the edges close up around
 /// handles and holes.
 ///

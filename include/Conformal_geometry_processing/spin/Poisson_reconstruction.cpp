@@ -4,12 +4,6 @@
 #include <Conformal_geometry_processing/operators/cotan_laplacian.h>
 #include <Conformal_geometry_processing/spin/transformed_edges.h>
 
-#include <Eigen/Core>
-
-#include <cmath>
-#include <memory>
-#include <utility>
-
 namespace Conformal_geometry_processing {
 
 Poisson_reconstruction::Poisson_reconstruction(const Surface_ref& surface,

@@ -2,17 +2,10 @@
 #include <Conformal_geometry_processing/spin/Position_residual.h>
 
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
-#include <Conformal_geometry_processing/spin/Poisson_reconstruction.h>
 #include <Conformal_geometry_processing/spin/transformed_edges.h>
 
-#include <Eigen/Core>
 #include <Eigen/Geometry>
-#include <Eigen/QR>
 #include <Eigen/SparseCore>
-
-#include <cmath>
-#include <utility>
-#include <vector>
 
 namespace Conformal_geometry_processing::internal {
 

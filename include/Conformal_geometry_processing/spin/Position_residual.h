@@ -17,7 +17,6 @@
 
 namespace Conformal_geometry_processing::internal {
 
-/// \ingroup PkgSpin
 /// \brief the best similarity from points to targets, both in a frame of unit size: of those that
 /// fit equally well (one point, two, a line of them), that which turns and scales least.
 /// \param masses weights of the squares of distances, of the order of one together; all one if
@@ -25,7 +24,6 @@ namespace Conformal_geometry_processing::internal {
 Alignment placement(const Points& points, const Points& targets,
                     const Eigen::VectorXd& masses = {});
 
-/// \ingroup PkgSpin
 /// \brief what similarities cannot change: an orthonormal basis Z of the motions of points that are
 /// orthogonal to translations, turns and scaling, 3k x (3k - 7), with more columns if the points
 /// are on a line.
@@ -52,7 +50,6 @@ class Shape_motions {
   Eigen::ColPivHouseholderQR<Eigen::MatrixXd> m_qr;  // of the motions by similarities, 3k x 7
 };
 
-/// \ingroup PkgSpin
 /// \brief the distances of control points of a transformed surface from their targets, after the
 /// best similarity T, in units of the radius R of the sphere of the same area.
 ///

@@ -6,13 +6,11 @@
 #include <Quaternionic_linear_algebra/algebra/rotor.h>
 #include <Quaternionic_linear_algebra/dense/hermitian_eigen_decomposition.h>
 
-#include <Eigen/Core>
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <vector>
 
 namespace Conformal_geometry_processing {
 

@@ -80,7 +80,6 @@ Quaternion<double> boundary_spin(const internal::Boundary_frame& source,
 
 namespace internal {
 
-/// \ingroup PkgSpin
 /// \brief the space of spins that turn a direction of the boundary frames into prescribed
 /// directions, with a smooth member, the guide, to which solutions are compared.
 ///
@@ -145,5 +144,4 @@ class Prescribed_directions {
 };
 
 }  // namespace internal
-
 }  // namespace Conformal_geometry_processing

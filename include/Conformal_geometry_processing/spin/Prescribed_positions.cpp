@@ -7,13 +7,9 @@
 #include <Conformal_geometry_processing/spin/Prescribed_directions.h>
 #include <Quaternionic_linear_algebra/algebra/rotor.h>
 
-#include <Eigen/Core>
 #include <Eigen/LU>
 
 #include <cmath>
-#include <cstddef>
-#include <string>
-#include <vector>
 
 namespace Conformal_geometry_processing {
 

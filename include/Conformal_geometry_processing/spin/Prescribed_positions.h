@@ -18,7 +18,6 @@
 
 namespace Conformal_geometry_processing::internal {
 
-/// \ingroup PkgSpin
 /// \brief spins and positions of a surface whose boundary is mapped to a given curve with given
 /// normals [CGP 6.3.2].
 ///

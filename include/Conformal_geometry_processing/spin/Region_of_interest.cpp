@@ -6,18 +6,11 @@
 #include <Conformal_geometry_processing/spin/certify.h>
 #include <Quaternionic_linear_algebra/exceptions.h>
 
-#include <Eigen/Core>
-
 #include <algorithm>
 #include <cstddef>
-#include <optional>
 #include <set>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace Conformal_geometry_processing {
-
 namespace internal {
 
 constexpr int most_anchors = 32;

@@ -15,7 +15,6 @@
 
 namespace Conformal_geometry_processing::internal {
 
-/// \ingroup PkgSpin
 /// \brief weights in a `Region_of_interest` where something happens: 0 in those of its parts, faces
 /// with a vertex of positive weight that are connected, that have no control point.
 /// \param weights |V|, or empty, as is the result then
@@ -23,12 +22,10 @@ namespace Conformal_geometry_processing::internal {
 Eigen::VectorXd weights_at(const std::vector<Control_point>& points, const Mesh_view& mesh,
                            Eigen::VectorXd weights, const std::string& function);
 
-/// \ingroup PkgSpin
 /// \throw Precondition_error if a weight, one per vertex, is not in [0, 1], or none is 1
 void require_region(const Mesh_view& mesh, const Eigen::VectorXd& weights,
                     const std::string& function);
 
-/// \ingroup PkgSpin
 /// \brief the part of a surface that an edit may change, with a collar where the edit fades out.
 ///
 /// Each vertex has a weight w: 1 follows the edit, 0 stays, to the bit. Those between are the

@@ -3,12 +3,7 @@
 
 #include <Conformal_geometry_processing/spin/transformed_edges.h>
 
-#include <Eigen/Core>
-
 #include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <optional>
 #include <utility>
 
 namespace Conformal_geometry_processing::internal {

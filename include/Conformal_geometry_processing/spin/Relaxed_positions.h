@@ -19,7 +19,6 @@
 
 namespace Conformal_geometry_processing::internal {
 
-/// \ingroup PkgSpin
 /// \brief the `Relaxed_scales` of rho with a `Position_residual`, and a `Period_residual` where
 /// there are handles or holes: conformal surfaces whose control points are near to targets.
 ///

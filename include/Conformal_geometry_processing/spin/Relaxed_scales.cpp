@@ -2,11 +2,7 @@
 #include <Conformal_geometry_processing/spin/Relaxed_scales.h>
 
 #include <Conformal_geometry_processing/operators/dirac_energy.h>
-#include <Conformal_geometry_processing/spin/Scale_control.h>
 
-#include <Eigen/Core>
-
-#include <algorithm>
 #include <cmath>
 #include <utility>
 

@@ -17,7 +17,6 @@
 
 namespace Conformal_geometry_processing::internal {
 
-/// \ingroup PkgSpin
 struct Relaxed_scales_options {
   Relaxed_spins::Options spins;
   int stages = 3;
@@ -35,7 +34,6 @@ struct Relaxed_scales_options {
   std::function<bool()> is_met = [] { return true; };
 };
 
-/// \ingroup PkgSpin
 /// \brief the `Relaxed_spins` of rho with a `Scale_residual` of the least weight w with which
 /// lengths keep to the bound of a `Scale_control`, if it has one.
 ///

@@ -4,13 +4,9 @@
 #include <Conformal_geometry_processing/operators/cotan_laplacian.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 #include <Conformal_geometry_processing/operators/vertex_graph.h>
-#include <Conformal_geometry_processing/spin/Dirac_system.h>
-#include <Conformal_geometry_processing/spin/Spin_residual.h>
 #include <Quaternionic_linear_algebra/dense/block_operators.h>
 #include <Quaternionic_linear_algebra/exceptions.h>
 #include <Quaternionic_linear_algebra/krylov/conjugate_gradients.h>
-
-#include <Eigen/Core>
 
 #include <cmath>
 #include <cstddef>

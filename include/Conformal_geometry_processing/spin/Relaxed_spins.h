@@ -18,7 +18,6 @@
 
 namespace Conformal_geometry_processing::internal {
 
-/// \ingroup PkgSpin
 /// \brief the inner product K = M + s L of changes of rho at vertices, which approximates
 ///
 ///     integral a b + s <grad a, grad b>,
@@ -56,7 +55,6 @@ class Potential_metric {
   Solver_ref<double> m_coupled;              // of K + w M
 };
 
-/// \ingroup PkgSpin
 /// \brief spins lambda and a potential rho' that together minimise
 ///
 ///     |(D - rho') lambda / |lambda||^2_W + |rho' - rho|^2_K + sum |residuals of lambda|^2
@@ -208,7 +206,6 @@ class Relaxed_spins {
   Relaxed_costs m_costs;
 };
 
-/// \ingroup PkgSpin
 /// \brief 1.5 R / h with h the mean over the area of the edges of equilateral triangles of the
 /// areas of the sheets, which slivers do not change: such that the misfit of the result falls like
 /// h under refinement, and the iterations of a step grow like the root of 1 / h.

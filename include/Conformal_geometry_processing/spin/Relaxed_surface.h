@@ -12,7 +12,6 @@
 
 namespace Conformal_geometry_processing::internal {
 
-/// \ingroup PkgSpin
 /// a search for spins, with what closes handles and holes
 struct Relaxed_surface {
   std::optional<Period_residual> periods;
@@ -61,7 +60,6 @@ struct Relaxed_surface {
   }
 };
 
-/// \ingroup PkgSpin
 /// where a search begins
 struct Closing_start {
   Quaternion_vector<double> lambda = {};  ///< empty: at the guide

@@ -5,11 +5,7 @@
 #include <Conformal_geometry_processing/spin/Spin_residual.h>
 #include <Quaternionic_linear_algebra/exceptions.h>
 
-#include <Eigen/Core>
-
-#include <algorithm>
 #include <cmath>
-#include <string>
 
 namespace Conformal_geometry_processing::internal {
 

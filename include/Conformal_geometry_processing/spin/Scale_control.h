@@ -12,17 +12,14 @@
 
 namespace Conformal_geometry_processing::internal {
 
-/// \ingroup PkgSpin
 /// the bound on factors of lengths, in the library, the program, Python and the studio, unless the
 /// caller gives another one
 inline constexpr double default_scale_bound = 2;
 
-/// \ingroup PkgSpin
 /// the same relative to wanted factors: these are mostly within a factor of 2 of the present
 /// lengths, so with a bound of 2 nothing would change
 inline constexpr double default_bound_of_wanted_scales = 1.25;
 
-/// \ingroup PkgSpin
 /// \brief how much a transformation may change lengths.
 struct Scale_control {
   /// > 1: lengths are multiplied by factors in [1 / bound, bound], relative to `factors`, on 98 %
@@ -40,17 +37,14 @@ struct Scale_control {
   void require(Eigen::Index vertices, const std::string& function) const;
 };
 
-/// \ingroup PkgSpin
 /// the bound, and the factors by which spins multiply lengths
 /// \param areas |V|, of the vertices
 Spin_report::Scales measured_scales(const Quaternion_vector<double>& lambda,
                                     const Eigen::VectorXd& areas, const Scale_control& control);
 
-/// \ingroup PkgSpin
 /// the logarithms of the wanted factors of lengths, |V|; zeros where none are wanted
 Eigen::VectorXd wanted_log_scales(const Eigen::VectorXd& areas, const Scale_control& control);
 
-/// \ingroup PkgSpin
 /// what is kept of rho
 /// \param areas that belong to the values
 /// \param is_closed: both are taken without their means, which have no effect then

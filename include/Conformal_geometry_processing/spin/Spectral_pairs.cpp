@@ -4,8 +4,6 @@
 #include <Quaternionic_linear_algebra/dense/hermitian_eigen_decomposition.h>
 #include <Quaternionic_linear_algebra/krylov/Krylov_space.h>
 
-#include <Eigen/Core>
-
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -9,7 +9,6 @@
 namespace Conformal_geometry_processing {
 namespace internal {
 
-/// \ingroup PkgSpin
 /// \brief eigenvectors of A = D - rho - s with their quotients, of a space that contains every
 /// eigenvector of X with an energy below `reach`.
 struct Spectral_pairs {
@@ -26,18 +25,15 @@ struct Spectral_pairs {
   Eigen::Index size() const { return quotients.size(); }
 };
 
-/// \ingroup PkgSpin
 /// \brief the energy that the first `count` pairs have beyond the squares of their quotients, at
 /// most: the square of the discretisation error delta, not negative.
 double squared_error(const Spectral_pairs& pairs, Eigen::Index count);
 
-/// \ingroup PkgSpin
 /// \brief the energy below which the `count` eigenvalues nearest to the shift lie, with those
 /// missing if their squared errors are up to twice as large as those of the pairs.
 /// \pre nearest first, 0 < count <= pairs.size()
 double needed_reach(const Spectral_pairs& pairs, Eigen::Index count);
 
-/// \ingroup PkgSpin
 /// \brief the distance from the shift within which no eigenvalue is missing among the first `count`
 /// pairs.
 ///
@@ -47,11 +43,9 @@ double needed_reach(const Spectral_pairs& pairs, Eigen::Index count);
 /// \pre nearest first
 double complete_radius(const Spectral_pairs& pairs, Eigen::Index count);
 
-/// \ingroup PkgSpin
 /// whether the first `count` pairs exist, within `complete_radius()`
 bool is_window_complete(const Spectral_pairs& pairs, Eigen::Index count);
 
-/// \ingroup PkgSpin
 /// \brief the pairs that the mesh resolves, in the order of |quotient|.
 ///
 /// A vector that oscillates from edge to edge is orthogonal to its image under D, and its quotient
@@ -62,22 +56,18 @@ bool is_window_complete(const Spectral_pairs& pairs, Eigen::Index count);
 /// vectors have displaced may be missing from their energy on, which limits the reach.
 Spectral_pairs resolved_nearest_first(const Spectral_pairs& pairs);
 
-/// \ingroup PkgSpin
 /// enough for what cuts through a multiple eigenvalue at the end, or a pair of opposite sign
 int first_subspace_size(int count);
 
-/// \ingroup PkgSpin
 /// \brief a larger size, at most doubled and at most `most`, where `size` left eigenvalues out: the
 /// number of eigenvectors of X grows like the energy up to which they are counted (Weyl).
 /// \param pairs those found with `size`
 int next_subspace_size(int size, int most, const Spectral_pairs& pairs, int count);
 
-/// \ingroup PkgSpin
 /// \brief where the search is given up: more eigenvectors are only needed if the discretisation
 /// error far exceeds the distances of the eigenvalues.
 int largest_subspace_size(int count);
 
-/// \ingroup PkgSpin
 /// Eigenvectors of an operator, found as combinations of those of its square
 struct Signed_eigenvectors {
   Block<Quaternion<double>> vectors;  ///< M-orthonormal

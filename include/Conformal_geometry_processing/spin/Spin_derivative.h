@@ -10,7 +10,6 @@
 
 namespace Conformal_geometry_processing::internal {
 
-/// \ingroup PkgSpin
 /// \brief the derivative of `restore_area()`: changes df of positions without the scaling and the
 /// translation that restoring area and centroid undoes, and the transpose.
 ///
@@ -38,7 +37,6 @@ class Placement_derivative {
   Points m_normals;           // 3 x |F|
 };
 
-/// \ingroup PkgSpin
 /// \brief the derivative of the positions of a transformed surface with respect to the spins
 /// lambda, and its transpose; all in the frame of the system.
 ///
@@ -69,7 +67,6 @@ class Position_derivative {
   Placement_derivative m_placement;
 };
 
-/// \ingroup PkgSpin
 /// \brief the derivative of the spins lambda of a transformation with respect to rho, and its
 /// transpose.
 ///

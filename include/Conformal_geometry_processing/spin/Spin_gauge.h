@@ -6,7 +6,6 @@
 
 namespace Conformal_geometry_processing::internal {
 
-/// \ingroup PkgSpin
 /// \brief the space of changes of spins lambda: that of the system, without right factors of
 /// lambda, quaternions on closed surfaces and real numbers where directions are prescribed. They
 /// have no effect on the shape. A free boundary has no gauge: there lambda is near to 1.

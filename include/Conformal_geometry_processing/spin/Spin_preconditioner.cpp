@@ -5,8 +5,6 @@
 #include <Quaternionic_linear_algebra/dense/hermitian_eigen_decomposition.h>
 #include <Quaternionic_linear_algebra/krylov/conjugate_gradients.h>
 
-#include <Eigen/Core>
-
 #include <algorithm>
 
 namespace Conformal_geometry_processing::internal {

@@ -11,7 +11,6 @@
 
 namespace Conformal_geometry_processing::internal {
 
-/// \ingroup PkgSpin
 /// what a minimisation over spins has cost
 struct Relaxed_costs {
   int factorizations = 0, solves = 0;                ///< quaternionic
@@ -20,7 +19,6 @@ struct Relaxed_costs {
   Dirac_evidence::Seconds seconds;
 };
 
-/// \ingroup PkgSpin
 /// \brief approximates the inverse of the Hessian of `Relaxed_spins` for changes of lambda, by that
 /// of w X(rho') + the stiffness of residuals + G G^T, w the sum of the weights of the misfit and G
 /// the gradients of the residuals that are few: one solve with the factor of the first two for each

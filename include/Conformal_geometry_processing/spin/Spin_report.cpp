@@ -1,11 +1,8 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/spin/Spin_report.h>
 
-#include <Conformal_geometry_processing/measure/Conformality.h>
-
 #include <algorithm>
 #include <cmath>
-#include <ostream>
 #include <string>
 
 namespace Conformal_geometry_processing {

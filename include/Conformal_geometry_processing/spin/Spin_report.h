@@ -14,7 +14,6 @@
 namespace Conformal_geometry_processing {
 namespace internal {
 
-/// \ingroup PkgConformalClass
 /// \brief The numbers that verify `snap_to_conformal_class()`.
 struct [[nodiscard]] Class_snap_report {
   bool converged = false;

@@ -1,13 +1,9 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/spin/Spin_residual.h>
 
-#include <Conformal_geometry_processing/mesh/Surface_ref.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 
-#include <Eigen/Core>
-
 #include <cmath>
-#include <utility>
 
 namespace Conformal_geometry_processing {
 namespace internal {
@@ -166,5 +162,4 @@ Eigen::VectorXd Scale_residual::weighted(Eigen::VectorXd u) const
 }
 
 }  // namespace internal
-
 }  // namespace Conformal_geometry_processing

@@ -13,7 +13,6 @@
 namespace Conformal_geometry_processing {
 namespace internal {
 
-/// \ingroup PkgSpin
 /// \brief numbers r(lambda) that `Relaxed_spins` make small, or zero: what is wanted of the
 /// transformed surface, in terms of its spins.
 ///
@@ -74,17 +73,14 @@ Spin_residual::Spins gradient_of(const Spin_residuals& residuals, const Eigen::V
 /// the gradients of the values with respect to the spins, |V| x number of values
 Block<Quaternion<double>> gradients_of(const Spin_residuals& residuals, Eigen::Index vertices);
 
-/// \ingroup PkgSpin
 /// \brief u = log |lambda|^2, |V|: the transformation scales lengths by e^u. The gauge adds a
 /// constant.
 Eigen::VectorXd log_scales(const Quaternion_vector<double>& lambda);
 
-/// \ingroup PkgSpin
 /// du = 2 Re(conjugate(lambda) dlambda) / |lambda|^2, |V| x k
 Eigen::MatrixXd log_scale_change(const Quaternion_vector<double>& lambda,
                                  const Block<Quaternion<double>>& dlambda);
 
-/// \ingroup PkgSpin
 /// the transpose: the gradients q = 2 lambda y / |lambda|^2 of <y, u>, |V| x k
 Block<Quaternion<double>> log_scale_gradient(const Quaternion_vector<double>& lambda,
                                              const Eigen::MatrixXd& y);
@@ -100,7 +96,6 @@ double nearness_weight(const Surface_ref& surface, const internal::Surface_part&
 
 namespace internal {
 
-/// \ingroup PkgSpin
 /// \brief the roots of masses times lambda - 1: with a free boundary, where infinitely many spins
 /// solve the equation, those nearest to 1 are wanted (`nearness_weight()`).
 class Nearness_residual : public Spin_residual {
@@ -122,7 +117,6 @@ class Nearness_residual : public Spin_residual {
   Spins m_lambda;
 };
 
-/// \ingroup PkgSpin
 /// \brief the root of w times the areas times the deviation of `log_scales()` from wanted ones.
 ///
 /// The mean of the deviation over the whole surface is free, because the total area is kept. Where
@@ -156,5 +150,4 @@ class Scale_residual : public Spin_residual {
 };
 
 }  // namespace internal
-
 }  // namespace Conformal_geometry_processing

@@ -2,11 +2,8 @@
 #include <Conformal_geometry_processing/spin/certify.h>
 
 #include <Conformal_geometry_processing/measure/Conformality.h>
-#include <Conformal_geometry_processing/mesh/Surface_ref.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 #include <Quaternionic_linear_algebra/threads/Thread_team.h>
-
-#include <Eigen/Core>
 
 #include <algorithm>
 #include <cmath>

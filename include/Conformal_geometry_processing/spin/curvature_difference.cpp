@@ -9,12 +9,9 @@
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
 #include <Quaternionic_linear_algebra/exceptions.h>
 
-#include <Eigen/Core>
-
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <string>
 #include <utility>
 
 namespace Conformal_geometry_processing {

@@ -7,13 +7,10 @@
 #include <Conformal_geometry_processing/operators/mean_curvature.h>
 #include <Quaternionic_linear_algebra/exceptions.h>
 
-#include <Eigen/Core>
-
 #include <string>
 #include <utility>
 
 namespace Conformal_geometry_processing {
-
 namespace internal {
 
 /// M_V^-1 B^T M_F B rho: the means of rho on faces, averaged around vertices

@@ -80,5 +80,4 @@ Dirac_forms forms_in_space(const Dirac_system& system, const Curvature_potential
                            const Block<Quaternion<double>>& v);
 
 }  // namespace internal
-
 }  // namespace Conformal_geometry_processing

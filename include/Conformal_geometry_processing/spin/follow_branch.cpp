@@ -4,11 +4,7 @@
 #include <Quaternionic_linear_algebra/dense/hermitian_eigen_decomposition.h>
 #include <Quaternionic_linear_algebra/threads/Thread_team.h>
 
-#include <Eigen/Core>
-
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <utility>
 

@@ -13,7 +13,6 @@
 
 namespace Conformal_geometry_processing::internal {
 
-/// \ingroup PkgSpin
 /// \brief finds the shift that is the quotient of its own eigenvector: the zero of the change from
 /// a shift to that quotient, by the secant method.
 ///
@@ -45,7 +44,6 @@ class Shift_secant {
       std::numeric_limits<double>::infinity();  // at m_shift; infinite before the first
 };
 
-/// \ingroup PkgSpin
 /// \brief the forms of D - base - t rho - sigma on the span of k vectors V, |V| x k, for every t
 /// and sigma; base is 0 where none is given.
 ///
@@ -105,7 +103,6 @@ class Dirac_gram {
   Block<Quaternion<double>> m_products;  // of D v_1, R v_1, B v_1, D v_2, ... in M_F
 };
 
-/// \ingroup PkgSpin
 /// \brief a point on a branch of eigenpairs of D - t rho, within the span of some vectors.
 struct Branch_point {
   double t = 0;
@@ -118,7 +115,6 @@ struct Branch_point {
   bool is_settled = false;  ///< found by `follow_settled_branch()`
 };
 
-/// \ingroup PkgSpin
 /// \brief follows a branch from a point to `end`, or as far as its vector overlaps with the first
 /// one by `least_overlap`.
 ///
@@ -133,7 +129,6 @@ struct Branch_point {
 Branch_point follow_branch(const Dirac_gram& gram, const Branch_point& first, double end,
                            double least_overlap);
 
-/// \ingroup PkgSpin
 /// \brief follows a branch from a point to `end`, or as far as the span is found to contain it,
 /// however much its vector turns on the way.
 ///

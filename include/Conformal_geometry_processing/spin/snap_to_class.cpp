@@ -12,7 +12,6 @@
 #include <Eigen/Core>
 
 #include <cmath>
-#include <string>
 #include <utility>
 
 namespace Conformal_geometry_processing::internal {

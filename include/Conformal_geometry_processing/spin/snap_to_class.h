@@ -14,11 +14,9 @@ struct Spin_result;
 
 namespace Conformal_geometry_processing::internal {
 
-/// \ingroup PkgConformalClass
 /// Requires an oriented manifold, in one component or more, without edges of length zero
 void require_edge_lengths(const Mesh_view& mesh, const std::string& function);
 
-/// \ingroup PkgConformalClass
 /// \brief moves positions, 3 x |V|, into the conformal class of the reference; computes in a frame
 /// of unit size.
 /// \param rim directions at the boundary that stay
@@ -27,7 +25,6 @@ void require_edge_lengths(const Mesh_view& mesh, const std::string& function);
 Class_snap_report snap_to_class(const Mesh_view& reference, Points& positions,
                                 const Snap_options& options, Rim_directions rim = {});
 
-/// \ingroup PkgSpin
 /// \brief moves a transformed surface by as little as possible into the exact discrete conformal
 /// class of the initial one: to its length cross-ratios, up to rounding.
 ///

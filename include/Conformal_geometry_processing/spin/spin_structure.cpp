@@ -6,16 +6,11 @@
 #include <Conformal_geometry_processing/operators/Curvature_potential.h>
 #include <Conformal_geometry_processing/spin/Framed_surface.h>
 #include <Quaternionic_linear_algebra/algebra/rotor.h>
-#include <Quaternionic_linear_algebra/exceptions.h>
 
-#include <Eigen/Core>
 #include <Eigen/Geometry>
 
 #include <cmath>
 #include <cstddef>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace Conformal_geometry_processing {
 
@@ -248,5 +243,4 @@ Points checked_target(const Mesh_view& mesh, Points target,
 }
 
 }  // namespace internal
-
 }  // namespace Conformal_geometry_processing

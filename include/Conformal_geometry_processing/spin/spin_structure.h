@@ -16,7 +16,6 @@
 namespace Conformal_geometry_processing {
 namespace internal {
 
-/// \ingroup PkgSpin
 /// \brief the regular homotopy class of an immersed closed surface: a number modulo 2 for each
 /// generating loop, and the crossings of the loops.
 ///
@@ -105,11 +104,9 @@ Quaternion_vector<double> vertex_spins(const Mesh_view& mesh,
 
 namespace internal {
 
-/// \ingroup PkgSpin
 /// both in the normalized frame of the mesh, where squares of areas neither over- nor underflow
 std::pair<Mesh_view, Points> in_frame(const Mesh_view& mesh, const Points& target);
 
-/// \ingroup PkgSpin
 /// \brief returns the target of a deformation.
 /// \param mollification if set, thin faces are admitted, and the spin structure is not checked
 /// \throw Precondition_error unless mesh and target are connected, oriented manifolds with the same
@@ -119,5 +116,4 @@ Points checked_target(const Mesh_view& mesh, Points target,
                       const std::optional<double>& mollification, const std::string& function);
 
 }  // namespace internal
-
 }  // namespace Conformal_geometry_processing

@@ -3,8 +3,6 @@
 
 #include <Quaternionic_linear_algebra/threads/Thread_team.h>
 
-#include <Eigen/Core>
-
 #include <cmath>
 #include <cstddef>
 

@@ -36,12 +36,10 @@ namespace internal {
 double closure_residual(const Surface_ref& surface, const Eigen::VectorXd& weights, const Points& f,
                         const Eigen::MatrixX3d& edges, const Surface_part& part = {});
 
-/// \ingroup PkgSpin
 /// \brief the change of `transformed_edges()` with lambda, |E| x 3: they are quadratic in it.
 Eigen::MatrixX3d edge_change(const Surface_ref& surface, const Quaternion_vector<double>& lambda,
                              const Quaternion_vector<double>& dlambda);
 
-/// \ingroup PkgSpin
 /// \brief the transpose: the gradient q of the sum of <y_k, e~_k> over the edges, |V|: its change
 /// is Re <q, dlambda>.
 /// \param y |E| x 3

@@ -6,10 +6,7 @@
 #include <Conformal_geometry_processing/operators/vertex_graph.h>
 #include <Conformal_geometry_processing/spin/transformed_edges.h>
 
-#include <Eigen/Core>
-
 #include <cmath>
-#include <string>
 
 namespace Conformal_geometry_processing {
 

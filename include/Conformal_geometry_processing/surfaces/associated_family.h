@@ -10,10 +10,8 @@
 #include <string>
 
 namespace Conformal_geometry_processing {
-
 namespace internal {
 
-/// \ingroup PkgSurfaces
 /// A member of the associated family, and its closure residual
 struct Associated_surface {
   Points positions;             ///< 3 x |V|, with mean zero

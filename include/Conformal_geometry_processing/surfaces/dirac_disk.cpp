@@ -1,11 +1,6 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/surfaces/dirac_disk.h>
 
-#include <Eigen/Core>
-
-#include <string>
-#include <utility>
-
 namespace Conformal_geometry_processing {
 
 Spin_result dirac_disk(const Mesh_view& mesh, double wanted, const Dirac_options& options,

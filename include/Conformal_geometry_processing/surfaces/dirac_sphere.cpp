@@ -6,12 +6,9 @@
 #include <Quaternionic_linear_algebra/algebra/stable_norm.h>
 
 #include <Eigen/Cholesky>
-#include <Eigen/Core>
 
 #include <cmath>
-#include <complex>
 #include <cstdlib>
-#include <string>
 
 namespace Conformal_geometry_processing {
 namespace internal {

@@ -11,10 +11,12 @@
 #include <map>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace Conformal_geometry_processing {
 namespace internal {
 
+/// Vertices (+-1, +-phi, 0) and cyclic permutations, faces counter-clockwise seen from outside
 Mesh_view icosahedron()
 {
   const double g = (1 + std::sqrt(5.)) / 2;
@@ -28,25 +30,40 @@ Mesh_view icosahedron()
            {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}}};
 }
 
-Points Geodesic_points::points() const
-{
-  return Eigen::Map<const Points>(m_points.front().data(), 3,
-                                  static_cast<Eigen::Index>(m_points.size()));
-}
+/// Numbers the points of evenly subdivided faces; points on edges are shared.
+class Geodesic_points {
+ public:
+  /// \param frequency the number of parts of an edge
+  explicit Geodesic_points(int frequency) : m_frequency(frequency), m_base(icosahedron()) {}
 
-int Geodesic_points::number(int f, const std::array<int, 3>& weights)
-{
-  std::map<int, int> key;  // from corners to weights, without zero weights
-  Eigen::Vector3d p = Eigen::Vector3d::Zero();
-  for (std::size_t c = 0; c < 3; ++c) {
-    if (weights[c] == 0) continue;
-    key[m_base.corners(f)[c]] = weights[c];
-    p += weights[c] * m_base.position(m_base.corners(f)[c]);
+  const Mesh_view& base() const { return m_base; }
+  Points points() const
+  {
+    return Eigen::Map<const Points>(m_points.front().data(), 3,
+                                    static_cast<Eigen::Index>(m_points.size()));
   }
-  const auto [place, is_new] = m_numbers.emplace(key, static_cast<int>(m_points.size()));
-  if (is_new) m_points.push_back((p / m_frequency).normalized());
-  return place->second;
-}
+
+  /// The point with these barycentric coordinates, times the frequency, in face f
+  int number(int f, const std::array<int, 3>& weights)
+  {
+    std::map<int, int> key;  // from corners to weights, without zero weights
+    Eigen::Vector3d p = Eigen::Vector3d::Zero();
+    for (std::size_t c = 0; c < 3; ++c) {
+      if (weights[c] == 0) continue;
+      key[m_base.corners(f)[c]] = weights[c];
+      p += weights[c] * m_base.position(m_base.corners(f)[c]);
+    }
+    const auto [place, is_new] = m_numbers.emplace(key, static_cast<int>(m_points.size()));
+    if (is_new) m_points.push_back((p / m_frequency).normalized());
+    return place->second;
+  }
+
+ private:
+  int m_frequency;
+  Mesh_view m_base;
+  std::vector<Eigen::Vector3d> m_points;
+  std::map<std::map<int, int>, int> m_numbers;
+};
 
 }  // namespace internal
 

@@ -4,13 +4,8 @@
 #include <Conformal_geometry_processing/surfaces/round_torus.h>
 #include <Quaternionic_linear_algebra/algebra/rotor.h>
 
-#include <Eigen/Core>
-#include <Eigen/Geometry>
-
 #include <cmath>
-#include <complex>
 #include <cstddef>
-#include <string>
 
 namespace Conformal_geometry_processing {
 

@@ -23,15 +23,18 @@ double minimal_kernel_tolerance(const Mesh_view& mesh)
                                          : 0;
 }
 
-void internal::judge_minimality(const Mesh_view& mesh, const Boundary_condition& condition,
-                                Spin_report& report)
+namespace internal {
+
+/// reports a fault at the boundary if gamma is an eigenvalue that is not zero: the surface then has
+/// the constant mean curvature gamma / |lambda|^2
+void judge_minimality(const Mesh_view& mesh, const Boundary_condition& condition,
+                      Spin_report& report)
 {
   if (condition.is_self_adjoint() && std::abs(report.eigenvalue) > greatest_zero(mesh))
     report.boundary_fault = Spin_report::Boundary_fault::not_realizable;
 }
 
-Boundary_condition internal::part_of_turn(const Mesh_view& mesh, Boundary_condition condition,
-                                          double share)
+Boundary_condition part_of_turn(const Mesh_view& mesh, Boundary_condition condition, double share)
 {
   if (condition.targets.cols() == 0) return condition;
   const Boundary_frames b = boundary_frames(mesh);
@@ -45,10 +48,9 @@ Boundary_condition internal::part_of_turn(const Mesh_view& mesh, Boundary_condit
   return condition;
 }
 
-Spin_result internal::spin_towards_minimal_surface(const Mesh_view& mesh, double share,
-                                                   Spin_transformation_options own,
-                                                   const std::string& function,
-                                                   const Go_further& go_further)
+Spin_result spin_towards_minimal_surface(const Mesh_view& mesh, double share,
+                                         Spin_transformation_options own,
+                                         const std::string& function, const Go_further& go_further)
 {
   if (share < 1) own.boundary = part_of_turn(mesh, own.boundary, share);
   const auto rho = Curvature_potential::on_vertices(-share * mean_curvature(mesh));
@@ -57,10 +59,10 @@ Spin_result internal::spin_towards_minimal_surface(const Mesh_view& mesh, double
   return result;
 }
 
-double internal::share_of_way_to_minimal_surface(const Mesh_view& mesh,
-                                                 const Spin_transformation_options& own,
-                                                 const std::string& function,
-                                                 const Go_further& go_further)
+/// the largest share for which that verifies, to 1/64, if all of the way does not
+double share_of_way_to_minimal_surface(const Mesh_view& mesh,
+                                       const Spin_transformation_options& own,
+                                       const std::string& function, const Go_further& go_further)
 {
   double exists = 0, fails = 1;
   for (int k = 0; k < 6; ++k) {
@@ -72,6 +74,8 @@ double internal::share_of_way_to_minimal_surface(const Mesh_view& mesh,
   }
   return exists;
 }
+
+}  // namespace internal
 
 Spin_result spin_to_minimal_surface(const Mesh_view& mesh, Spin_transformation_options own,
                                     const std::string& function,

@@ -7,7 +7,6 @@
 
 #include <optional>
 #include <string>
-#include <utility>
 
 namespace Conformal_geometry_processing {
 
@@ -22,11 +21,6 @@ double minimal_kernel_tolerance(const Mesh_view& mesh);
 
 namespace internal {
 
-/// reports a fault at the boundary if gamma is an eigenvalue that is not zero: the surface then has
-/// the constant mean curvature gamma / |lambda|^2
-void judge_minimality(const Mesh_view& mesh, const Boundary_condition& condition,
-                      Spin_report& report);
-
 /// the condition whose directions are turned by a share of the way from those of the mesh to the
 /// targets, if it has any
 Boundary_condition part_of_turn(const Mesh_view& mesh, Boundary_condition condition, double share);
@@ -35,11 +29,6 @@ Boundary_condition part_of_turn(const Mesh_view& mesh, Boundary_condition condit
 Spin_result spin_towards_minimal_surface(const Mesh_view& mesh, double share,
                                          Spin_transformation_options own,
                                          const std::string& function, const Go_further& go_further);
-
-/// the largest share for which that verifies, to 1/64, if all of the way does not
-double share_of_way_to_minimal_surface(const Mesh_view& mesh,
-                                       const Spin_transformation_options& own,
-                                       const std::string& function, const Go_further& go_further);
 
 }  // namespace internal
 

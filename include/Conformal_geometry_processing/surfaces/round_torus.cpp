@@ -1,12 +1,7 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/surfaces/round_torus.h>
 
-#include <Quaternionic_linear_algebra/exceptions.h>
-
-#include <Eigen/Core>
-
 #include <cmath>
-#include <string>
 
 namespace Conformal_geometry_processing {
 

@@ -1,11 +1,6 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Quaternionic_linear_algebra/algebra/Moebius_map.h>
 
-#include <Eigen/Core>
-
-#include <cmath>
-#include <string>
-
 namespace Conformal_geometry_processing {
 
 Moebius_map::Moebius_map(const Quaternion& a, const Quaternion& b, const Quaternion& c,

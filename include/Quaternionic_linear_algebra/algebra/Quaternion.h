@@ -151,7 +151,6 @@ std::complex<FT> conjugate(const std::complex<FT>& s)
 
 namespace internal {
 
-/// \ingroup PkgAlgebra
 /// Properties of a scalar type: the type of its real components, and the real part
 template <class Scalar>
 struct Scalar_traits {
@@ -174,7 +173,6 @@ struct Scalar_traits<Quaternion<FT_>> {
   static constexpr Quaternion<FT> from_real(FT s) { return {s, 0, 0, 0}; }
 };
 
-/// \ingroup PkgAlgebra
 /// \brief Scalars as arrays of their real components, so that the same dense kernels work for real,
 /// complex and quaternionic matrices (see `Plane_products`).
 template <class Scalar>
@@ -216,5 +214,4 @@ struct Scalar_planes<Quaternion<FT>> {
 };
 
 }  // namespace internal
-
 }  // namespace Conformal_geometry_processing

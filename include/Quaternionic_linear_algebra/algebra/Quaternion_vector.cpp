@@ -1,8 +1,6 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Quaternionic_linear_algebra/algebra/Quaternion_vector.h>
 
-#include <Eigen/Core>
-
 #include <random>
 
 namespace Conformal_geometry_processing {

@@ -9,7 +9,6 @@
 
 namespace Conformal_geometry_processing::internal {
 
-/// \ingroup PkgAlgebra
 /// \brief A |F| x |V| quaternionic matrix with three entries per row: an operator that maps values
 /// at vertices to values on triangles [CGP 5.1].
 ///

@@ -1,11 +1,6 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Quaternionic_linear_algebra/algebra/Reduced_basis.h>
 
-#include <Quaternionic_linear_algebra/exceptions.h>
-
-#include <string>
-#include <vector>
-
 namespace Conformal_geometry_processing {
 
 internal::Reduced_rows::Reduced_rows(int size, const std::vector<int>& reduced)

@@ -9,12 +9,10 @@
 #include <cstddef>
 #include <limits>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace Conformal_geometry_processing::internal {
 
-/// \ingroup PkgAlgebra
 /// \brief The rows of a quaternionic vector that have two real degrees of freedom instead of four:
 /// boundary vertices of a surface with prescribed boundary directions [CGP 5.7].
 ///
@@ -58,7 +56,6 @@ class Reduced_rows {
   int m_count = 0;
 };
 
-/// \ingroup PkgAlgebra
 /// \brief The space of quaternionic vectors whose reduced rows lie in given planes of H:
 /// x_i = u_i a + v_i b with real a and b and orthonormal u_i, v_i. The matrix B of [CGP 5.7].
 ///

@@ -59,5 +59,4 @@ Solver_status guarded(const Action& action)
 }
 
 }  // namespace internal
-
 }  // namespace Conformal_geometry_processing

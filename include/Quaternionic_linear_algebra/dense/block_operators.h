@@ -163,7 +163,6 @@ void release_factor(Solver& solver)
 
 namespace internal {
 
-/// \ingroup PkgLinearAlgebra
 /// \brief Field of the coefficients in linear combinations of quaternionic vectors.
 ///
 /// Vectors with prescribed directions at the boundary (`Reduced_basis`) form a vector space over

@@ -4,10 +4,8 @@
 #include <Quaternionic_linear_algebra/dense/block_operators.h>
 #include <Quaternionic_linear_algebra/exceptions.h>
 
-#include <Eigen/Core>
 #include <Eigen/Eigenvalues>
 
-#include <cmath>
 #include <complex>
 #include <utility>
 

@@ -15,7 +15,6 @@
 namespace Conformal_geometry_processing {
 namespace internal {
 
-/// \ingroup PkgLinearAlgebra
 /// \brief A V = V diag(values) for a Hermitian matrix A, with V^H V = 1 and ascending values.
 template <class Scalar>
 struct Hermitian_eigen_decomposition {

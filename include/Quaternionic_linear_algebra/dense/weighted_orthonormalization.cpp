@@ -5,7 +5,6 @@
 #include <Quaternionic_linear_algebra/exceptions.h>
 
 #include <Eigen/Cholesky>
-#include <Eigen/Core>
 
 #include <algorithm>
 #include <cmath>

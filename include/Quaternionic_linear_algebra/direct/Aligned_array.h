@@ -12,7 +12,6 @@
 
 namespace Conformal_geometry_processing::internal {
 
-/// \ingroup PkgLinearAlgebra
 /// \brief An uninitialized array of numbers, aligned to cache lines. Memory is not touched before
 /// its first use, and is reused.
 template <class Real>

@@ -4,11 +4,7 @@
 #include <Quaternionic_linear_algebra/dense/block_operators.h>
 #include <Quaternionic_linear_algebra/exceptions.h>
 
-#include <cstddef>
-#include <memory>
 #include <string>
-#include <utility>
-#include <vector>
 
 namespace Conformal_geometry_processing {
 

@@ -12,7 +12,6 @@
 
 namespace Conformal_geometry_processing::internal {
 
-/// \ingroup PkgLinearAlgebra
 /// \brief Solves A x = b with Dirichlet conditions: x is prescribed on some rows, and the equation
 /// holds on all others.
 ///

@@ -2,11 +2,7 @@
 #include <Quaternionic_linear_algebra/direct/Elimination.h>
 
 #include <algorithm>
-#include <cstddef>
-#include <cstdint>
-#include <numeric>
 #include <utility>
-#include <vector>
 
 namespace Conformal_geometry_processing {
 
@@ -196,5 +192,4 @@ double Elimination::operations() const
 }
 
 }  // namespace internal
-
 }  // namespace Conformal_geometry_processing

@@ -12,7 +12,6 @@
 namespace Conformal_geometry_processing {
 namespace internal {
 
-/// \ingroup PkgLinearAlgebra
 /// \brief The graph of a Hermitian matrix after a permutation: for every column j its rows i > j,
 /// in any order, with the position of the entry in the pattern.
 struct Permuted_graph {
@@ -51,7 +50,6 @@ struct Permuted_graph {
   }
 };
 
-/// \ingroup PkgLinearAlgebra
 /// \brief The graph by rows: for every row i its columns j < i, ascending.
 struct Graph_rows {
   std::vector<int> offsets;  ///< size + 1
@@ -93,7 +91,6 @@ std::vector<int> column_counts(const internal::Permuted_graph& graph,
 
 namespace internal {
 
-/// \ingroup PkgLinearAlgebra
 /// \brief What is known of a factor before its rows are: enough to compare orderings.
 ///
 /// Columns are numbered in a postorder of the elimination tree. Almost O(entries).
@@ -135,5 +132,4 @@ class Elimination {
 };
 
 }  // namespace internal
-
 }  // namespace Conformal_geometry_processing

@@ -3,9 +3,7 @@
 
 #include <Quaternionic_linear_algebra/exceptions.h>
 
-#include <memory>
 #include <string>
-#include <utility>
 
 namespace Conformal_geometry_processing {
 

@@ -11,7 +11,6 @@
 
 namespace Conformal_geometry_processing::internal {
 
-/// \ingroup PkgLinearAlgebra
 /// \brief Solves L x = b for a real, positive semidefinite L whose kernel consists of the
 /// constants, such as the cotan Laplacian of a connected mesh.
 ///

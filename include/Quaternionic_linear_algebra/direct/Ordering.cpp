@@ -7,7 +7,6 @@
 
 #include <cstddef>
 #include <numeric>
-#include <vector>
 
 namespace Conformal_geometry_processing {
 

@@ -8,7 +8,6 @@
 namespace Conformal_geometry_processing {
 namespace internal {
 
-/// \ingroup PkgLinearAlgebra
 /// \brief An elimination order: entry k is the number of the row that is eliminated as k-th.
 ///
 /// Orders the n rows of a `Sparse_pattern` for any scalar type, so that the real and the

@@ -16,7 +16,6 @@
 #include <utility>
 
 namespace Conformal_geometry_processing {
-
 namespace internal {
 
 struct Solver_interface {
@@ -118,7 +117,6 @@ Solver_pointer<Scalar> make_solver()
     return Solver_model<SolverTraits, Scalar>::make();
 }
 
-/// \ingroup PkgLinearAlgebra
 /// \brief A solver of any traits, behind virtual calls: the entry points wrap the caller's solver
 /// in it, and what lies below them is compiled once.
 ///
@@ -189,7 +187,6 @@ class Solver_ref {
   Solver_pointer<Scalar> m_solver;  // never null
 };
 
-/// \ingroup PkgLinearAlgebra
 /// \brief Traits of solvers for some scalars, whose type is forgotten.
 template <class... Scalars>
 class Solver_traits_ref {

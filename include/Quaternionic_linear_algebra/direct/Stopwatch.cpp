@@ -1,8 +1,6 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Quaternionic_linear_algebra/direct/Stopwatch.h>
 
-#include <chrono>
-
 namespace Conformal_geometry_processing {
 
 double internal::Stopwatch::lap()

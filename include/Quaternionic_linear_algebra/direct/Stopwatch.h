@@ -5,7 +5,6 @@
 
 namespace Conformal_geometry_processing::internal {
 
-/// \ingroup PkgLinearAlgebra
 /// Measures wall-clock time
 class Stopwatch {
  public:

@@ -1,8 +1,6 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Quaternionic_linear_algebra/direct/Supernodal_cholesky.h>
 
-#include <Quaternionic_linear_algebra/dense/Solver_status.h>
-#include <Quaternionic_linear_algebra/direct/Ordering.h>
 #include <Quaternionic_linear_algebra/direct/Supernodal_factor.h>
 #include <Quaternionic_linear_algebra/direct/Supernodal_substitution.h>
 #include <Quaternionic_linear_algebra/direct/choose_ordering.h>
@@ -18,7 +16,6 @@
 #include <utility>
 
 namespace Conformal_geometry_processing {
-
 namespace internal {
 
 /// Powers of two by which rows and columns of A + diag(shift) are multiplied for a diagonal of

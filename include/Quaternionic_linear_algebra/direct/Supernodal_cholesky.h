@@ -10,7 +10,6 @@
 #include <memory>
 
 namespace Conformal_geometry_processing {
-
 namespace internal {
 
 class Supernodal_structure;

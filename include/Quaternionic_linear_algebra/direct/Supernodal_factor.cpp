@@ -1,16 +1,9 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Quaternionic_linear_algebra/direct/Supernodal_factor.h>
 
-#include <Quaternionic_linear_algebra/algebra/Quaternion.h>
-#include <Quaternionic_linear_algebra/threads/Thread_team.h>
 #include <Quaternionic_linear_algebra/vector_units/Vector_unit.h>
 
-#include <algorithm>
-#include <atomic>
-#include <cstdint>
-#include <limits>
 #include <utility>
-#include <vector>
 
 namespace Conformal_geometry_processing {
 

@@ -93,7 +93,6 @@ bool is_finite(const Aligned_array<Real>& numbers)
   return std::isfinite(largest_of<Real>(numbers.size(), value));
 }
 
-/// \ingroup PkgLinearAlgebra
 /// \brief Partition of the tree of supernodes into tasks for several threads.
 ///
 /// A task is a range of supernodes: a subtree, several small sibling subtrees, or, above all these,
@@ -159,7 +158,6 @@ class Elimination_tasks {
   std::vector<Task> m_tasks;
 };
 
-/// \ingroup PkgLinearAlgebra
 /// \brief Positions, in one array, of the update matrices that fronts pass to their parents.
 ///
 /// An update is written while those of the children are still read, and is read until the parent's
@@ -261,7 +259,6 @@ class Contribution_stack {
   std::int64_t m_size = 0;
 };
 
-/// \ingroup PkgLinearAlgebra
 /// \brief The numerical part of a supernodal Cholesky factor L L^H, computed by the multifrontal
 /// method.
 ///

@@ -2,13 +2,9 @@
 #include <Quaternionic_linear_algebra/direct/Supernodal_structure.h>
 
 #include <algorithm>
-#include <cstddef>
-#include <cstdint>
 #include <numeric>
-#include <vector>
 
 namespace Conformal_geometry_processing {
-
 namespace internal {
 
 std::vector<int> fundamental_supernodes(const std::vector<int>& parent,

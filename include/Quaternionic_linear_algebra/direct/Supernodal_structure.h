@@ -36,7 +36,6 @@ std::vector<int> relaxed_supernodes(const std::vector<int>& parent, const std::v
 
 namespace internal {
 
-/// \ingroup PkgLinearAlgebra
 /// \brief Symbolic part of a supernodal Cholesky factorization, which depends on the pattern only;
 /// computed once for the graph of a mesh and shared by its real and its quaternionic matrices.
 ///
@@ -119,5 +118,4 @@ class Supernodal_structure {
 };
 
 }  // namespace internal
-
 }  // namespace Conformal_geometry_processing

@@ -7,7 +7,6 @@
 
 namespace Conformal_geometry_processing::internal {
 
-/// \ingroup PkgLinearAlgebra
 /// \brief Solves L L^H x = b for right-hand sides with four or eight numbers per row: four or eight
 /// real ones, half as many complex ones, or a quarter of that in quaternions. These fill the vector
 /// registers equally well.

@@ -4,10 +4,7 @@
 #include <Quaternionic_linear_algebra/direct/Ordering.h>
 #include <Quaternionic_linear_algebra/direct/sweep_nested_dissection.h>
 
-#include <Eigen/Core>
-
 #include <cmath>
-#include <memory>
 
 namespace Conformal_geometry_processing {
 namespace internal {

@@ -8,10 +8,8 @@
 #include <memory>
 
 namespace Conformal_geometry_processing {
-
 namespace internal {
 
-/// \ingroup PkgLinearAlgebra
 /// \brief Cost model for the choice of an ordering. Only ratios of the times matter, which vary
 /// little among machines.
 struct Ordering_costs {

@@ -2,21 +2,66 @@
 #include <Quaternionic_linear_algebra/direct/sweep_nested_dissection.h>
 
 #include <Quaternionic_linear_algebra/dense/hermitian_eigen_decomposition.h>
-#include <Quaternionic_linear_algebra/direct/vertex_separator.h>
 #include <Quaternionic_linear_algebra/threads/Thread_team.h>
 
-#include <Eigen/Core>
-
 #include <algorithm>
-#include <array>
-#include <cstddef>
-#include <cstdint>
 #include <numeric>
 #include <utility>
-#include <vector>
 
 namespace Conformal_geometry_processing {
 namespace internal {
+
+/// A part of the graph, and the positions of its vertices in the order.
+struct Dissection_part {
+  Graph_region region;
+  int end = 0;  ///< the position after its last vertex
+};
+
+/// Dissects parts of a graph independently: the ordering does not depend on their sequence.
+class Dissection {
+ public:
+  /// \param[out] order gets the separators
+  /// \param[in,out] leaf of each vertex the place in the order where its leaf begins; that of
+  /// separators is left as it is
+  Dissection(Ordering& order, std::vector<int>& leaf) : m_order(order), m_leaf(leaf) {}
+
+  /// Places the separator last and returns the two parts
+  std::array<Dissection_part, 2> cut(const Dissection_part& part)
+  {
+    const Graph_region& region = part.region;
+    std::vector<Side> sides = m_cut(region);
+    thin_separator(region, sides);
+    int end = part.end;
+    for (int v = region.size() - 1; v >= 0; --v)
+      if (sides[static_cast<std::size_t>(v)] == Side::separator)
+        m_order[static_cast<std::size_t>(--end)] = region.vertices[static_cast<std::size_t>(v)];
+    std::array<Graph_region, 2> halves = split(region, sides);
+    const int middle = end - halves[1].size();
+    return {{{std::move(halves[0]), middle}, {std::move(halves[1]), end}}};
+  }
+
+  /// Dissects a part down to leaves
+  void finish(Dissection_part&& all)
+  {
+    std::vector<Dissection_part> stack;
+    stack.push_back(std::move(all));
+    while (!stack.empty()) {
+      Dissection_part part = std::move(stack.back());
+      stack.pop_back();
+      if (part.region.size() <= max_dissection_leaf) {
+        const int begin = part.end - part.region.size();
+        for (const int v : part.region.vertices) m_leaf[static_cast<std::size_t>(v)] = begin;
+      } else {
+        for (Dissection_part& half : cut(part)) stack.push_back(std::move(half));
+      }
+    }
+  }
+
+ private:
+  Ordering& m_order;
+  std::vector<int>& m_leaf;
+  Sweep_cut m_cut;
+};
 
 /// Returns the principal axes of inertia of a set of points, one per column, the longest first
 Eigen::Matrix3f principal_axes(const Eigen::Matrix<float, Eigen::Dynamic, 3>& points)
@@ -161,36 +206,6 @@ void internal::Sweep_cut::halve(const internal::Graph_region& region,
 }
 
 namespace internal {
-
-std::array<Dissection_part, 2> Dissection::cut(const Dissection_part& part)
-{
-  const Graph_region& region = part.region;
-  std::vector<Side> sides = m_cut(region);
-  thin_separator(region, sides);
-  int end = part.end;
-  for (int v = region.size() - 1; v >= 0; --v)
-    if (sides[static_cast<std::size_t>(v)] == Side::separator)
-      m_order[static_cast<std::size_t>(--end)] = region.vertices[static_cast<std::size_t>(v)];
-  std::array<Graph_region, 2> halves = split(region, sides);
-  const int middle = end - halves[1].size();
-  return {{{std::move(halves[0]), middle}, {std::move(halves[1]), end}}};
-}
-
-void Dissection::finish(Dissection_part&& all)
-{
-  std::vector<Dissection_part> stack;
-  stack.push_back(std::move(all));
-  while (!stack.empty()) {
-    Dissection_part part = std::move(stack.back());
-    stack.pop_back();
-    if (part.region.size() <= max_dissection_leaf) {
-      const int begin = part.end - part.region.size();
-      for (const int v : part.region.vertices) m_leaf[static_cast<std::size_t>(v)] = begin;
-    } else {
-      for (Dissection_part& half : cut(part)) stack.push_back(std::move(half));
-    }
-  }
-}
 
 /// Places the vertices of leaves as they follow each other by degree
 void order_leaves(const Ordering& by_degree, const std::vector<int>& leaf, Ordering& order)

@@ -17,7 +17,6 @@
 namespace Conformal_geometry_processing {
 namespace internal {
 
-/// \ingroup PkgLinearAlgebra
 /// \brief Finds a cut of a region into two parts of similar size through few edges.
 ///
 /// Sweeps a plane along several directions. Vertices are sorted into slabs; the number of edges cut
@@ -78,36 +77,6 @@ class Sweep_cut {
 /// Regions of at most this size are not dissected. Twice as much saves an eighth of the time, but
 /// costs up to 5 % of the operations of a factorization.
 constexpr int max_dissection_leaf = 300;
-
-namespace internal {
-
-/// A part of the graph, and the positions of its vertices in the order.
-struct Dissection_part {
-  Graph_region region;
-  int end = 0;  ///< the position after its last vertex
-};
-
-/// Dissects parts of a graph independently: the ordering does not depend on their sequence.
-class Dissection {
- public:
-  /// \param[out] order gets the separators
-  /// \param[in,out] leaf of each vertex the place in the order where its leaf begins; that of
-  /// separators is left as it is
-  Dissection(Ordering& order, std::vector<int>& leaf) : m_order(order), m_leaf(leaf) {}
-
-  /// Places the separator last and returns the two parts
-  std::array<Dissection_part, 2> cut(const Dissection_part& part);
-
-  /// Dissects a part down to leaves
-  void finish(Dissection_part&& all);
-
- private:
-  Ordering& m_order;
-  std::vector<int>& m_leaf;
-  Sweep_cut m_cut;
-};
-
-}  // namespace internal
 
 /// \ingroup PkgLinearAlgebra
 /// \brief Nested dissection ordering (George 1973) with separators computed from positions.

@@ -12,7 +12,6 @@
 
 namespace Conformal_geometry_processing::internal {
 
-/// \ingroup PkgLinearAlgebra
 /// \brief An eigensolver whose type is forgotten: the library's own by default; any model converts
 /// to it.
 /// \cgalModels{SparseHermitianEigensolverTraits}

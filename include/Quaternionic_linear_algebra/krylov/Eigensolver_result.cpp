@@ -1,14 +1,7 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Quaternionic_linear_algebra/krylov/Eigensolver_result.h>
 
-#include <Eigen/Core>
-
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <limits>
-#include <string>
-#include <utility>
 
 namespace Conformal_geometry_processing {
 

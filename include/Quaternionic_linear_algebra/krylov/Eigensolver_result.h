@@ -18,7 +18,6 @@
 namespace Conformal_geometry_processing {
 namespace internal {
 
-/// \ingroup PkgLinearAlgebra
 /// \brief Some vectors V together with K V and N V, which an eigensolver for K x = N x theta
 /// combines linearly, so that K and N are not applied again to combinations.
 struct Ritz_panel {
@@ -70,7 +69,6 @@ void replace_by_combination(internal::Ritz_panel& p, const Block<Quaternion<doub
 
 namespace internal {
 
-/// \ingroup PkgLinearAlgebra
 /// \brief Returns a basis of the span of some vectors V, as combinations V C with C^H G C = 1.
 ///
 /// The Gram-Schmidt process on coefficients. Leaves out vectors that depend on the previous ones,
@@ -116,13 +114,11 @@ struct Eigensolver_options {
 
 namespace internal {
 
-/// \ingroup PkgLinearAlgebra
 /// \brief Never cancels: the default for the `go_further` of eigensolvers.
 struct Always_go_further {
   bool operator()(const Eigensolver_progress&) const { return true; }
 };
 
-/// \ingroup PkgLinearAlgebra
 /// Called after every iteration; returns false to cancel
 using Go_further = std::function<bool(const Eigensolver_progress&)>;
 
@@ -150,7 +146,6 @@ struct Eigensolver_result {
 
 namespace internal {
 
-/// \ingroup PkgLinearAlgebra
 /// \brief Monitors the convergence of an eigensolver: stores the best iterate and decides when to
 /// stop.
 ///
@@ -220,5 +215,4 @@ class Eigensolver_convergence {
 };
 
 }  // namespace internal
-
 }  // namespace Conformal_geometry_processing

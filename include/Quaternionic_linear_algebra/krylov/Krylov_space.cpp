@@ -3,9 +3,6 @@
 
 #include <Quaternionic_linear_algebra/dense/hermitian_eigen_decomposition.h>
 
-#include <Eigen/Core>
-
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -205,5 +202,4 @@ auto Krylov_space::orthonormalize(Vectors w, double lost) -> Vectors
 }
 
 }  // namespace internal
-
 }  // namespace Conformal_geometry_processing

@@ -13,7 +13,6 @@
 
 namespace Conformal_geometry_processing::internal {
 
-/// \ingroup PkgLinearAlgebra
 /// \brief Many quaternionic vectors of n entries, stored row by row, so that inner products and
 /// combinations are products of *real* matrices: for hundreds of vectors, several times faster than
 /// one vector at a time.
@@ -92,7 +91,6 @@ class Row_major_multivector {
   Eigen::Index m_size = 0;
 };
 
-/// \ingroup PkgLinearAlgebra
 /// \brief The operator T = N^-1 K of a pencil K x = theta N x, with N positive definite:
 /// self-adjoint in the inner product of N.
 ///

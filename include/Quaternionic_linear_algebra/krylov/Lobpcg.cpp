@@ -2,14 +2,9 @@
 #include <Quaternionic_linear_algebra/krylov/Lobpcg.h>
 
 #include <Quaternionic_linear_algebra/dense/hermitian_eigen_decomposition.h>
-#include <Quaternionic_linear_algebra/krylov/Eigensolver_result.h>
 #include <Quaternionic_linear_algebra/threads/Thread_team.h>
 
-#include <Eigen/Core>
-
 #include <cstddef>
-#include <functional>
-#include <utility>
 
 namespace Conformal_geometry_processing::internal {
 

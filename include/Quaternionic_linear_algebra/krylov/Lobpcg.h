@@ -11,7 +11,6 @@
 #include <utility>
 
 namespace Conformal_geometry_processing {
-
 namespace internal {
 
 // The search space of the iteration, the span of S = [x, w, p]. All iterations use the same memory.

@@ -7,7 +7,6 @@
 
 namespace Conformal_geometry_processing::internal {
 
-/// \ingroup PkgLinearAlgebra
 /// \brief Member of an object that calls a visitor while its work is half done: refuses the calls
 /// by which that visitor would start other work on the same object.
 class Visit_guard {

@@ -12,10 +12,8 @@
 #include <utility>
 
 namespace Conformal_geometry_processing {
-
 namespace internal {
 
-/// \ingroup PkgLinearAlgebra
 struct Conjugate_gradients_options {
   double tolerance = 1e-9;   ///< of the error relative to the solution, in the energy norm
   int max_iterations = 100;  ///< each costs one K and one T
@@ -23,7 +21,6 @@ struct Conjugate_gradients_options {
   std::function<bool()> go_further = {};  ///< called after each iteration: false ends the run
 };
 
-/// \ingroup PkgLinearAlgebra
 template <class FT>
 struct Conjugate_gradients_result {
   bool converged = false;

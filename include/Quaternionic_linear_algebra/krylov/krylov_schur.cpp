@@ -4,12 +4,9 @@
 #include <Quaternionic_linear_algebra/dense/hermitian_eigen_decomposition.h>
 #include <Quaternionic_linear_algebra/threads/Thread_team.h>
 
-#include <Eigen/Core>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <numeric>
 #include <string>
 #include <vector>

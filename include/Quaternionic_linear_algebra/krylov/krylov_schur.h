@@ -9,10 +9,8 @@
 #include <functional>
 
 namespace Conformal_geometry_processing {
-
 namespace internal {
 
-/// \ingroup PkgLinearAlgebra
 /// Number of eigenpairs, and stopping criteria
 struct Krylov_options {
   int wanted = 1;
@@ -20,7 +18,6 @@ struct Krylov_options {
   int max_restarts = 100;   ///< one at least is needed to look for further copies
 };
 
-/// \ingroup PkgLinearAlgebra
 /// Progress reported after every block of vectors
 struct Krylov_progress {
   int restart = 0;    ///< restarts done
@@ -29,7 +26,6 @@ struct Krylov_progress {
   int capacity = 0;   ///< of the space: a restart comes when it is full, or before
 };
 
-/// \ingroup PkgLinearAlgebra
 /// \brief Eigenpairs of K x = theta N x of the largest |theta|, with their residuals.
 struct Krylov_result {
   Vector<double> values;              ///< descending in modulus, of either sign

@@ -5,7 +5,6 @@
 #include <Quaternionic_linear_algebra/threads/Thread_team.h>
 
 #include <algorithm>
-#include <cmath>
 #include <complex>
 
 namespace Conformal_geometry_processing {

@@ -14,7 +14,6 @@
 namespace Conformal_geometry_processing {
 namespace internal {
 
-/// \ingroup PkgLinearAlgebra
 /// \brief The quadratic form D - D C C^H D, which ignores some directions of x: D >= 0 is diagonal,
 /// and the columns of C are D-orthonormal.
 ///
@@ -70,14 +69,12 @@ class Centered_mass {
   Block<Scalar> m_directions;
 };
 
-/// \ingroup PkgLinearAlgebra
 /// Stopping criteria of `subspace_iteration()`
 struct Subspace_options {
   double tolerance = 1e-6;  ///< bound on `Subspace_result::residual`
   int maximum_number_of_iterations = 100;
 };
 
-/// \ingroup PkgLinearAlgebra
 /// \brief The smallest eigenvalue of a pencil, its eigenvector, and error estimates.
 template <class Scalar>
 struct Subspace_result {

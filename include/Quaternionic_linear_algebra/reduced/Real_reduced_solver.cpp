@@ -4,9 +4,6 @@
 #include <Quaternionic_linear_algebra/dense/Solver_status.h>
 #include <Quaternionic_linear_algebra/dense/block_operators.h>
 
-#include <cstddef>
-#include <memory>
-
 namespace Conformal_geometry_processing {
 
 std::shared_ptr<const Sparse_pattern> reduced_pattern(const Sparse_pattern& pattern,

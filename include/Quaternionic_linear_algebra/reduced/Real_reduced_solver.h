@@ -61,7 +61,6 @@ internal::Ordering reduced_ordering(const internal::Ordering& order,
 
 namespace internal {
 
-/// \ingroup PkgLinearAlgebra
 /// \brief Solves with R = B^T (X + diag(shift)) B as a sparse real matrix, with a solver for real
 /// matrices. Simple, and the best choice if most of the vertices lie on the boundary.
 ///
@@ -94,5 +93,4 @@ class Real_reduced_solver {
 };
 
 }  // namespace internal
-
 }  // namespace Conformal_geometry_processing

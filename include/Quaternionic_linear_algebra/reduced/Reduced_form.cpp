@@ -4,8 +4,6 @@
 #include <Quaternionic_linear_algebra/direct/Ordering.h>
 #include <Quaternionic_linear_algebra/direct/sweep_nested_dissection.h>
 
-#include <Eigen/Core>
-
 #include <cmath>
 #include <cstddef>
 #include <utility>

@@ -7,10 +7,8 @@
 #include <Eigen/Core>
 
 namespace Conformal_geometry_processing {
-
 namespace internal {
 
-/// \ingroup PkgLinearAlgebra
 /// \brief Strategy for the factorization of a reduced system, and its ordering: either the whole
 /// system as a real matrix, or the unreduced rows as quaternions and the Schur complement of the
 /// others as a real matrix.

@@ -1,10 +1,6 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Quaternionic_linear_algebra/reduced/Reduced_hermitian_solver.h>
 
-#include <Eigen/Core>
-
-#include <variant>
-
 namespace Conformal_geometry_processing {
 
 Solver_status internal::Reduced_hermitian_solver::analyze(const Sparse_pattern& pattern,

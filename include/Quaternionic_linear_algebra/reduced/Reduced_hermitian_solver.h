@@ -14,7 +14,6 @@
 namespace Conformal_geometry_processing {
 namespace internal {
 
-/// \ingroup PkgLinearAlgebra
 /// \brief Solves systems with the real symmetric matrix R = B^T (X + diag(shift)) B, where X is
 /// quaternionic and Hermitian and some of the unknowns lie in planes of H: boundary vertices with
 /// prescribed directions [CGP 5.7].

@@ -23,7 +23,6 @@
 
 namespace Conformal_geometry_processing::internal {
 
-/// \ingroup PkgLinearAlgebra
 /// \brief Factors A = L L^T for a dense symmetric positive definite matrix of real numbers, in
 /// place.
 ///
@@ -116,7 +115,6 @@ class Dense_cholesky {
   Aligned_array<double> m_panel;
 };
 
-/// \ingroup PkgLinearAlgebra
 /// \brief The dense real Schur complement of the reduced rows after elimination of all others:
 /// B^T S B with the quaternionic Schur complement S, two coordinates for every row.
 ///
@@ -248,7 +246,6 @@ class Reduced_complement {
   Dense_cholesky m_matrix;
 };
 
-/// \ingroup PkgLinearAlgebra
 /// \brief Solves with R = B^T (X + diag(shift)) B by eliminating the unreduced rows first, as
 /// quaternions, and the reduced ones last, as real numbers.
 ///

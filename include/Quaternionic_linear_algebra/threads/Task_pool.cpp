@@ -1,14 +1,7 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Quaternionic_linear_algebra/threads/Task_pool.h>
 
-#include <Quaternionic_linear_algebra/threads/Thread_team.h>
-
-#include <algorithm>
-#include <exception>
-#include <functional>
-#include <mutex>
 #include <utility>
-#include <vector>
 
 namespace Conformal_geometry_processing {
 

@@ -13,7 +13,6 @@
 
 namespace Conformal_geometry_processing::internal {
 
-/// \ingroup PkgThreads
 /// \brief Runs tasks, which may spawn further tasks, on several threads.
 ///
 /// Tasks are numbers. A task may also distribute a loop: idle threads help, so that the last and

@@ -1,13 +1,6 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Quaternionic_linear_algebra/threads/Thread_team.h>
 
-#include <algorithm>
-#include <atomic>
-#include <cstddef>
-#include <exception>
-#include <functional>
-#include <mutex>
-#include <thread>
 #include <utility>
 
 namespace Conformal_geometry_processing {
@@ -127,5 +120,4 @@ void Thread_team::attempt(const std::function<void()>& work)
 }
 
 }  // namespace internal
-
 }  // namespace Conformal_geometry_processing

@@ -17,7 +17,6 @@
 namespace Conformal_geometry_processing {
 namespace internal {
 
-/// \ingroup PkgThreads
 /// \brief Wakes threads that wait for a change of what a mutex protects.
 ///
 /// A thread polls before it goes to sleep, because waking it takes longer than most waits.
@@ -66,7 +65,6 @@ void set_number_of_threads(int threads);
 
 namespace internal {
 
-/// \ingroup PkgThreads
 /// \brief Threads that help this one, and wait for work as long as the team exists.
 ///
 /// Starting a thread takes as long as a hundred thousand operations, waking one a quarter of that,
@@ -108,7 +106,6 @@ class Thread_team {
   std::exception_ptr m_failure;
 };
 
-/// \ingroup PkgThreads
 /// \brief Calls `visit(first, last)` for ranges that make up 0 <= i < count, on several threads.
 ///
 /// The ranges depend on the number of threads; results must not depend on the ranges.
@@ -134,7 +131,6 @@ void for_each_range(std::ptrdiff_t count, std::ptrdiff_t least, const Visitor& v
   Thread_team().run(threads, std::cref(work));
 }
 
-/// \ingroup PkgThreads
 /// \brief Calls `visit(i)` for 0 <= i < count, on several threads; see `for_each_range()`.
 template <class Visitor>
 void for_each_index(int count, int least, const Visitor& visit)
@@ -144,7 +140,6 @@ void for_each_index(int count, int least, const Visitor& visit)
   });
 }
 
-/// \ingroup PkgThreads
 /// \brief Returns the sum of what `add(first, last, sum)` adds to `zero`, over ranges of `size`
 /// elements from the first to the last: the same bits for any number of threads.
 /// \param least number of ranges that are worth a thread
@@ -172,5 +167,4 @@ Sum sum_of_ranges(std::ptrdiff_t count, std::ptrdiff_t size, const Sum& zero, co
 }
 
 }  // namespace internal
-
 }  // namespace Conformal_geometry_processing

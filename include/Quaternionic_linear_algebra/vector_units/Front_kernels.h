@@ -8,7 +8,6 @@
 namespace Conformal_geometry_processing {
 namespace internal {
 
-/// \ingroup PkgLinearAlgebra
 /// \brief The vector units for which the dense kernels of the factorizations are compiled,
 /// narrowest first.
 enum class Vector_unit {
@@ -17,7 +16,6 @@ enum class Vector_unit {
   avx512     ///< 64 bytes: AVX-512 F, VL, DQ and BW
 };
 
-/// \ingroup PkgLinearAlgebra
 /// \name Vector units
 /// Tag types of the vector units. All code that depends on the width of a register has one as a
 /// template parameter, so that instances for different units have different names.
@@ -55,7 +53,6 @@ using Target_unit = Baseline_unit;
 #endif
 /// @}
 
-/// \ingroup PkgLinearAlgebra
 /// \brief Memory layout of a front, for registers of any width.
 ///
 /// A *panel* of k columns is stored by row blocks with as many rows as a register has lanes, each
@@ -145,7 +142,6 @@ constexpr int max_panel_width = 64;
 
 namespace internal {
 
-/// \ingroup PkgLinearAlgebra
 /// \brief The update that a child passes to the front of its parent.
 template <class Real>
 struct Child_update {
@@ -154,7 +150,6 @@ struct Child_update {
   const int* place;  ///< their positions among the rows of the front, ascending
 };
 
-/// \ingroup PkgLinearAlgebra
 /// \brief A front with a factored panel, as input of the substitution.
 ///
 /// The rows below the triangle may be rounded, in each column to whole multiples of a unit.
@@ -167,7 +162,6 @@ struct Factored_front {
   const Real* units = nullptr;            ///< of the columns of rounded rows
 };
 
-/// \ingroup PkgLinearAlgebra
 /// \brief Substitution kernels of one front, for several right-hand sides at once, whose numbers
 /// are adjacent in every row of a vector.
 template <class Real>
@@ -182,7 +176,6 @@ struct Front_substitution {
   void (*backward)(const Factored_front<Real>& front, Real* y, const Real* x);
 };
 
-/// \ingroup PkgLinearAlgebra
 /// \brief Dense kernels for one front of a supernodal Cholesky factorization, compiled for one
 /// vector unit and one kind of scalar, see `kernels_for()`.
 ///
@@ -229,5 +222,4 @@ struct Front_kernels {
 };
 
 }  // namespace internal
-
 }  // namespace Conformal_geometry_processing

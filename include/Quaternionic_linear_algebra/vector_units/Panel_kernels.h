@@ -9,7 +9,6 @@
 
 namespace Conformal_geometry_processing::internal {
 
-/// \ingroup PkgLinearAlgebra
 /// \brief Cholesky factor of a diagonal block of at most `group` columns
 template <class Unit, class Real, int planes>
 class Pivot_triangle {
@@ -78,7 +77,6 @@ class Pivot_triangle {
   Real m_inverse[group];
 };
 
-/// \ingroup PkgLinearAlgebra
 /// \brief Elimination of one front by one vector unit, for scalars of `planes` real components;
 /// implements functions of `Front_kernels`.
 ///
@@ -248,7 +246,6 @@ class Panel_kernels {
   }
 };
 
-/// \ingroup PkgLinearAlgebra
 /// \brief Extend-add operation: adds the update of a child to the front of its parent. Some columns
 /// belong to the panel of the parent, the others to its own update (see `Panel_layout`).
 ///

@@ -9,7 +9,6 @@
 namespace Conformal_geometry_processing {
 namespace internal {
 
-/// \ingroup PkgLinearAlgebra
 /// \brief A register type for compilers without vector types: an array, whose loops the compiler
 /// may vectorize.
 ///
@@ -71,7 +70,6 @@ struct Register_of {
 };
 #endif
 
-/// \ingroup PkgLinearAlgebra
 /// \brief A register of the unit, with elementwise arithmetic.
 ///
 /// \tparam Unit one of the tags in Front_kernels.h

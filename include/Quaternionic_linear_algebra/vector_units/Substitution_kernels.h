@@ -9,7 +9,6 @@
 
 namespace Conformal_geometry_processing::internal {
 
-/// \ingroup PkgLinearAlgebra
 /// \brief Dense kernels for one row block of a supernodal factor and the same number of rows of
 /// right-hand sides, for scalars of `planes` real components.
 ///
@@ -101,7 +100,6 @@ class Row_block_kernels {
   }
 };
 
-/// \ingroup PkgLinearAlgebra
 /// \brief Substitution of one front by one vector unit; implements `Front_substitution`.
 ///
 /// \tparam numbers per row of the vector: components of all right-hand sides

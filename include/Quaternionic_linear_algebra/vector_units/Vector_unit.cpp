@@ -6,7 +6,6 @@
 #include <atomic>
 
 namespace Conformal_geometry_processing {
-
 namespace internal {
 
 // The narrowest one where the library has kernels for several, otherwise the one for which

@@ -83,7 +83,6 @@ CGP_ALWAYS_INLINE void set_zero(Real* to, long long count)
   for (long long i = 0; i < count; ++i) to[i] = Real(0);
 }
 
-/// \ingroup PkgLinearAlgebra
 /// \brief Products of scalars that are arrays of their real components: 1 of a real number, 2 of a
 /// complex one, 4 of a quaternion. The same dense kernels are used for all three.
 ///

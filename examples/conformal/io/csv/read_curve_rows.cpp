@@ -6,9 +6,7 @@
 #include "conformal/io/file/number_rows.h"
 #include "conformal/io/file/numbers.h"
 
-#include <algorithm>
 #include <cctype>
-#include <cmath>
 #include <numeric>
 
 namespace conformal {

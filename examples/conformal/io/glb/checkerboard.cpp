@@ -2,7 +2,6 @@
 #include "checkerboard.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 
 namespace conformal {

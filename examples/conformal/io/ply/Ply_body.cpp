@@ -6,8 +6,6 @@
 #include "conformal/io/file/little_endian.h"
 #include "conformal/io/file/numbers.h"
 
-#include <cmath>
-
 namespace conformal {
 namespace {
 

@@ -7,7 +7,6 @@
 #include "conformal/io/file/little_endian.h"
 
 #include <cstdint>
-#include <utility>
 
 namespace conformal {
 namespace {
