@@ -72,8 +72,8 @@ Conformal_deformation_options conformal_deformation_options(const Graph_view<Tri
 /// \param np optional named parameters
 ///
 /// \cgalNamedParamsBegin
-///   \cgalParamNBegin{vertex_point_map, output_vertex_point_map, geom_traits, sparse_solver,
-///                    visitor}
+///   \cgalParamNBegin{vertex_point_map, output_vertex_point_map, geom_traits, vertex_scale_map,
+///                    vertex_scale_weight_map, exactness, mollification, sparse_solver, visitor}
 ///     \cgalParamDescription{see `spin_transform()`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{vertex_spin_map}
@@ -102,28 +102,6 @@ Conformal_deformation_options conformal_deformation_options(const Graph_view<Tri
 ///                           apart from the similarity}
 ///     \cgalParamType{a number > 1, or `std::nullopt` for no bound}
 ///     \cgalParamDefault{2; with `vertex_scale_map` 1.25}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{vertex_scale_map}
-///     \cgalParamDescription{wanted factors of lengths, to which the bound is relative}
-///     \cgalParamType{a model of `ReadablePropertyMap` with the vertex descriptor as key and a
-///                    positive number as value}
-///     \cgalParamDefault{1}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{vertex_scale_weight_map}
-///     \cgalParamDescription{weights of the areas; 0: lengths may change freely}
-///     \cgalParamType{a model of `ReadablePropertyMap` with the vertex descriptor as key and a
-///                    number >= 0 as value}
-///     \cgalParamDefault{1}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{exactness}
-///     \cgalParamDescription{how handles are kept closed; `std::nullopt`: not at all}
-///     \cgalParamType{`std::optional<Exactness>`}
-///     \cgalParamDefault{`Exactness::adjoint`}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{mollification}
-///     \cgalParamDescription{admits faces of any thinness, see `spin_transform()`}
-///     \cgalParamType{`double`, between 0 and 1; 1e-6 is a good value}
-///     \cgalParamDefault{none: faces of area zero are rejected}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{limits}
 ///     \cgalParamDescription{what counts as success, see `Spin_report::fault()`}

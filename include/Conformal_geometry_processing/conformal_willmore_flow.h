@@ -178,9 +178,8 @@ Flow_result flow_result(const Graph_view<TriangleMesh>& graph, const NamedParame
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{reduced_volume}
 ///     \cgalParamDescription{the volume, by that of the round sphere of the same area, that a
-///     closed
-///                           surface keeps, or reaches by a twentieth in a step: see `Enclosure`.
-///                           The shapes of least energy are those of vesicles}
+///                           closed surface keeps, or reaches by a twentieth in a step: see
+///                           `Enclosure`. The shapes of least energy are those of vesicles}
 ///     \cgalParamType{`double`, above 0 and up to 1, or `std::nullopt`}
 ///     \cgalParamDefault{none: the volume is free}
 ///   \cgalParamNEnd

@@ -16,9 +16,10 @@
 #include <Quaternionic_linear_algebra/direct/Solver_ref.h>
 
 #include <boost/graph/graph_traits.hpp>
-#include <boost/property_map/property_map.hpp>
+#include <boost/property_map/function_property_map.hpp>
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <string>
 #include <utility>
@@ -46,58 +47,9 @@ class Harmonic_forms {
   using face_descriptor = typename Graph_traits::face_descriptor;
   using Vector = Vector_;
 
-  /// \brief A 1-form: its integral along each halfedge; opposite halfedges have opposite values.
-  ///
-  /// A model of `ReadablePropertyMap`.
-  class One_form_map {
-   public:
-    using key_type = halfedge_descriptor;
-    using value_type = double;
-    using reference = double;
-    using category = boost::readable_property_map_tag;
-
-    reference operator[](const key_type& h) const
-    {
-      return m_data->along_halfedges(static_cast<Eigen::Index>(m_data->halfedges(h)), m_column);
-    }
-    friend reference get(const One_form_map& map, const key_type& h) { return map[h]; }
-
-   private:
-    friend Harmonic_forms;
-    One_form_map(std::shared_ptr<const Data> data, int column)
-        : m_data(std::move(data)), m_column(column)
-    {}
-
-    std::shared_ptr<const Data> m_data;
-    int m_column;
-  };
-
-  /// \brief The vector in the plane of each face that represents the form along its edges.
-  ///
-  /// A model of `ReadablePropertyMap`.
-  class Tangent_field_map {
-   public:
-    using key_type = face_descriptor;
-    using value_type = Vector;
-    using reference = Vector;
-    using category = boost::readable_property_map_tag;
-
-    reference operator[](const key_type& f) const
-    {
-      const auto v = m_data->fields[m_column].col(static_cast<Eigen::Index>(m_data->faces(f)));
-      return Vector(v.x(), v.y(), v.z());
-    }
-    friend reference get(const Tangent_field_map& map, const key_type& f) { return map[f]; }
-
-   private:
-    friend Harmonic_forms;
-    Tangent_field_map(std::shared_ptr<const Data> data, int column)
-        : m_data(std::move(data)), m_column(static_cast<std::size_t>(column))
-    {}
-
-    std::shared_ptr<const Data> m_data;
-    std::size_t m_column;
-  };
+  /// A model of `ReadablePropertyMap`
+  template <class Key, class Value>
+  using Map = boost::function_property_map<std::function<Value(const Key&)>, Key, Value>;
 
   /// \param mesh is only read, and not stored \param graph its view
   /// \param basis of that view, or of one that is larger by `scale`
@@ -110,13 +62,27 @@ class Harmonic_forms {
   int size() const { return static_cast<int>(m_data->fields.size()); }
   int genus() const { return m_data->genus; }
 
-  /// Form i, 0 <= i < `size()`; dimensionless. The sum of w_e omega_i(e) omega_j(e) over the edges,
-  /// with cotan weights, is 1 for i = j and 0 otherwise.
-  One_form_map one_form(int i) const { return {m_data, i}; }
+  /// \brief Form i, 0 <= i < `size()`: its integral along each halfedge, dimensionless; opposite
+  /// halfedges have opposite values. The sum of w_e omega_i(e) omega_j(e) over the edges, with
+  /// cotan weights, is 1 for i = j and 0 otherwise.
+  Map<halfedge_descriptor, double> one_form(int i) const
+  {
+    return {[data = m_data, i](const halfedge_descriptor& h) {
+      return data->along_halfedges(static_cast<Eigen::Index>(data->halfedges(h)), i);
+    }};
+  }
 
-  /// The tangent field of form i, in 1/length of the mesh. The sum of A_f <v_i, v_j> over the faces
-  /// equals the inner product of the forms.
-  Tangent_field_map tangent_field(int i) const { return {m_data, i}; }
+  /// \brief The vector in the plane of each face that represents form i along its edges, in
+  /// 1/length of the mesh. The sum of A_f <v_i, v_j> over the faces equals the inner product of the
+  /// forms.
+  Map<face_descriptor, Vector> tangent_field(int i) const
+  {
+    return {[data = m_data, i](const face_descriptor& f) {
+      const auto v =
+          data->fields[static_cast<std::size_t>(i)].col(static_cast<Eigen::Index>(data->faces(f)));
+      return Vector(v.x(), v.y(), v.z());
+    }};
+  }
 
  private:
   struct Data {
