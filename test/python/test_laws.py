@@ -122,6 +122,31 @@ def test_the_flow_stops_where_a_callback_says():
         cg.willmore_flow(start, F, callback=interrupt)
 
 
+def sums_of_opposite_angles(V, F):
+    """edge -> the sum of the angles opposite to it"""
+    sums = {}
+    for k in range(3):
+        for a, b, c in np.roll(F, k, axis=1):
+            p, q = V[b] - V[a], V[c] - V[a]
+            angle = np.arctan2(np.linalg.norm(np.cross(p, q)), p @ q)
+            sums[min(b, c), max(b, c)] = sums.get((min(b, c), max(b, c)), 0) + angle
+    return sums
+
+
+def test_flipped_faces_are_delaunay_and_flow_as_they_are_judged():
+    thin = V * [4, 1, 1]
+    assert max(sums_of_opposite_angles(thin, F).values()) > np.pi + .5
+    made = cg.make_delaunay(thin, F)
+    assert made.flips > 50
+    assert max(sums_of_opposite_angles(thin, made.faces).values()) < np.pi + 1e-9
+    same = np.setdiff1d(np.arange(len(F)), made.changed)
+    assert all(set(a) == set(b) for a, b in zip(F[same], made.faces[same]))
+    assert all(set(F[k]) != set(made.faces[k]) for k in made.changed)
+    assert cg.make_delaunay(thin, made.faces).flips == 0
+    report = cg.willmore_flow(thin, made.faces).report
+    assert report and report.energy_of_faces == report.energy
+
+
 def test_snapping_restores_length_cross_ratios():
     spun = cg.spin_transform(V, F, RHO).positions
     snapped = cg.snap_to_conformal_class(spun, V, F)

@@ -13,7 +13,7 @@ FUNCTIONS = [
     lambda V, F: cg.spin_transform(V, F, np.zeros(len(V)), on="vertices"),
     lambda V, F: cg.Spin_transformation(V, F),
     lambda V, F: cg.Spin_derivative(V, F, np.zeros(len(V)), on="vertices"),
-    cg.willmore_flow, cg.flatten, cg.minimal_surface, cg.harmonic_basis,
+    cg.willmore_flow, cg.flatten, cg.minimal_surface, cg.harmonic_basis, cg.make_delaunay,
     lambda V, F: cg.dirac_spectrum(V, F, 3),
     lambda V, F: cg.deform(V, F, {0: (0, 0, 1)}),
     lambda V, F: cg.nearest(V, V, F),

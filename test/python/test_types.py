@@ -73,7 +73,8 @@ def results():
     kept, disk = np.unique(disk, return_inverse=True)
     return [cg.spin_transform(V, F, rho), cg.deform(V, F, {0: V[0] * 1.05, 40: V[40], 80: V[80], 120: V[120]}),
             cg.willmore_flow(V * [1.3, 1, 1], F, max_steps=1), cg.flatten(V[kept], disk.reshape(-1, 3)),
-            cg.harmonic_basis(V, F), cg.dirac_spectrum(V, F, 3), cg.snap_to_conformal_class(V, V, F)]
+            cg.harmonic_basis(V, F), cg.dirac_spectrum(V, F, 3), cg.snap_to_conformal_class(V, V, F),
+            cg.make_delaunay(V * [4, 1, 1], F)]
 
 
 @pytest.mark.parametrize("result", results(), ids=lambda result: type(result).__name__)

@@ -13,6 +13,10 @@
 #include <Conformal_geometry_processing/spin/Dirac_spectrum.h>
 #include <Conformal_geometry_processing/spin/snap_to_class.h>
 
+#include <array>
+#include <cstddef>
+#include <vector>
+
 namespace conformal_python {
 namespace {
 
@@ -126,6 +130,22 @@ py::tuple snap(const Array& V, const Array& reference, const Indices& F, bool on
   return py::make_tuple(to_rows(positions), as_dict(report));
 }
 
+/// (|F| x 3 corners, number of flips)
+py::tuple make_delaunay(const Array& V, const Indices& F)
+{
+  const std::string function = "make_delaunay";
+  const CGP::Mesh_view mesh = mesh_view(V, F, function);
+  CGP::internal::require_edge_lengths(mesh, function);
+  std::vector<std::array<int, 2>> flips;
+  const CGP::Mesh_view flipped =
+      without_lock([&] { return CGP::internal::delaunay_by_chords(mesh, 0, flips); });
+  py::array_t<int> corners({flipped.size_of_faces(), 3});
+  for (int f = 0; f < flipped.size_of_faces(); ++f)
+    for (int c = 0; c < 3; ++c)
+      corners.mutable_at(f, c) = flipped.corners(f)[static_cast<std::size_t>(c)];
+  return py::make_tuple(corners, flips.size());
+}
+
 }  // namespace
 
 void add_surfaces(py::module_& m)
@@ -137,6 +157,7 @@ void add_surfaces(py::module_& m)
         arg("options"));
   m.def("snap_to_conformal_class", &snap, arg("V"), arg("reference"), arg("F"), arg("on_delaunay"),
         arg("tolerance"), arg("max_iterations"));
+  m.def("make_delaunay", &make_delaunay, arg("V"), arg("F"));
 }
 
 }  // namespace conformal_python

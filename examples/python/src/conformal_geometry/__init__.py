@@ -26,20 +26,21 @@ from ._reports import (Area_distortion, Class_snap_report, Conformality, Distrib
                        Scales, Spin_report)
 from ._spin import (Dirac_options, Progress, Spin_result, Spin_transformation, minimal_surface,
                     spin_transform)
-from ._surfaces import (Class_snap_result, Dirac_spectrum, Flattening, Harmonic_basis,
-                        dirac_spectrum, flatten, harmonic_basis, snap_to_conformal_class)
+from ._surfaces import (Class_snap_result, Delaunay_faces, Dirac_spectrum, Flattening, Harmonic_basis,
+                        dirac_spectrum, flatten, harmonic_basis, make_delaunay, snap_to_conformal_class)
 from ._view import View, view
 
 __all__ = [
     "spin_transform", "Spin_transformation", "Dirac_options", "Spin_derivative", "Boundary_condition",
     "deform", "Conformal_deformation", "willmore_flow", "flatten", "nearest", "blend",
     "minimal_surface", "harmonic_basis", "view", "View",
-    "dirac_spectrum", "snap_to_conformal_class", "dirac_operator", "dirac_energy",
+    "dirac_spectrum", "snap_to_conformal_class", "make_delaunay", "dirac_operator", "dirac_energy",
     "cotan_laplacian", "vertex_areas", "face_areas", "mean_curvature", "quasi_conformal_errors",
     "Spin_result", "Deformation_result", "Nearest_result", "Flow_result", "Flattening", "Harmonic_basis",
-    "Dirac_spectrum", "Class_snap_result", "Progress", "Spin_report", "Flow_report",
+    "Dirac_spectrum", "Class_snap_result", "Delaunay_faces", "Progress", "Spin_report", "Flow_report",
     "Flow_step_report", "Parameterization_report", "Class_snap_report", "Conformality",
     "Distribution", "Enclosure", "Length_cross_ratio_change", "Area_distortion", "Mollification",
-    "Scales", "Realised_curvature", "Overlap_summary", "Mean_and_max", "Limits", "default_max_scale",
+    "Scales", "Realised_curvature", "Overlap_summary", "Mean_and_max", "Limits",
+    "default_max_scale",
     "Error", "Precondition_error", "Solver_error", "__version__",
 ]

@@ -1,5 +1,5 @@
 # Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-"""Maps to the plane, harmonic forms, spectra, and the exact conformal class."""
+"""Maps to the plane, harmonic forms, spectra, the exact conformal class, and Delaunay faces."""
 
 from __future__ import annotations
 
@@ -14,8 +14,8 @@ from ._arrays import faces, points, real_or_none
 from ._boundary import Boundary_condition
 from ._report import Result, build
 from ._reports import Class_snap_report, Parameterization_report
-from ._types import (Edge_array, Faces, Field_array, Form_array, Plane_array, Point_array, Points,
-                     Spinor_array, Value_array, Values)
+from ._types import (Edge_array, Face_array, Faces, Field_array, Form_array, Number_array, Plane_array,
+                     Point_array, Points, Spinor_array, Value_array, Values)
 
 
 @dataclass(frozen=True, eq=False)
@@ -136,3 +136,24 @@ def snap_to_conformal_class(V: Points, reference: Points, F: Faces, *, on_delaun
         points(V, name), points(reference, name), faces(F, name), on_delaunay, tolerance,
         max_iterations)
     return Class_snap_result(positions, build(Class_snap_report, report))
+
+
+@dataclass(frozen=True, eq=False)
+class Delaunay_faces:
+    """The faces of a mesh after flips of its edges."""
+    faces: Face_array  #: m x 3: the vertices of each face
+    changed: Number_array  #: the faces that have other vertices than before, ascending
+    flips: int
+
+
+def make_delaunay(V: Points, F: Faces) -> Delaunay_faces:
+    """Flips edges until no two angles opposite to one have a sum above pi, but where a flip would
+    join two vertices twice or leave a face without area. V and the boundary stay.
+
+    ``willmore_flow()`` computes on such faces, and stops where it leaves the limits on F, which may
+    be slivers: with the flipped faces the two are the same."""
+    name = "make_delaunay"
+    F = faces(F, name)
+    flipped, flips = _kernels.make_delaunay(points(V, name), F)
+    changed = np.flatnonzero((np.sort(flipped, axis=1) != np.sort(F, axis=1)).any(axis=1))
+    return Delaunay_faces(flipped, changed, flips)
