@@ -149,7 +149,7 @@ TEST_F(Conformal_willmore_flow_solvers, end_the_flow_where_they_run_out_of_memor
   for (const Refused refused : {Refused::quaternionic, Refused::real}) {
     const int factorizations = Watched_solver_traits::factorizations();
     EXPECT_THROW((void)report_without(refused), CGP::Solver_error);
-    EXPECT_LE(Watched_solver_traits::factorizations() - factorizations, 2);  // no smaller step
+    EXPECT_LE(Watched_solver_traits::factorizations() - factorizations, 3);  // no smaller step
   }
 }
 

@@ -2,6 +2,7 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/flow/Conformal_willmore_flow.h>
 #include <Conformal_geometry_processing/flow/Moebius_balancing.h>
+#include <Conformal_geometry_processing/measure/Enclosure.h>
 #include <Conformal_geometry_processing/spin/spin_structure.h>
 #include <Conformal_geometry_processing/surfaces/torus_of_class.h>
 
@@ -9,6 +10,7 @@
 
 #include <cmath>
 #include <complex>
+#include <optional>
 #include <vector>
 
 #include "flow_tools.h"
@@ -170,6 +172,51 @@ TEST(Conformal_willmore_flow_of_tori, keeps_area_and_centroid_however_balanced)
       EXPECT_NEAR(area(flow.mesh()), area(mesh), 1e-11 * area(mesh));
       EXPECT_LT((centroid(flow.mesh()) - centroid(mesh)).norm(), 1e-11);
     }
+}
+
+/// a torus of revolution about a tube of radius 1, which is `bulge` thicker at two opposite places
+Mesh_view tube_around(double radius, double bulge, int n)
+{
+  const int around = static_cast<int>(std::lround(n * std::sqrt(radius * radius - 1)));
+  return mapped(torus(radius, 1, around, n), [&](const Eigen::Vector3d& p) {
+    const double angle = std::atan2(p.y(), p.x());
+    const Eigen::Vector3d center(radius * std::cos(angle), radius * std::sin(angle), 0);
+    return Eigen::Vector3d(center + (1 + bulge * std::cos(2 * angle)) * (p - center));
+  });
+}
+
+CGP::Flow_report flown(const Mesh_view& mesh, std::optional<double> reduced_volume)
+{
+  CGP::Flow_options options;
+  options.reduced_volume = reduced_volume;
+  return CGP::Conformal_willmore_flow(mesh, options).run();
+}
+
+// Tori of revolution are images of homogeneous ones, which are stationary in their conformal class,
+// so they are, with any volume. From c = 2 on they are saddles [Kuwert and Lorian 2013], and each
+// class has surfaces below 8 pi [Kuwert and Schaetzle 2013]: a torus without that symmetry finds
+// them.
+TEST(Conformal_willmore_flow_of_tori, keeps_tori_of_revolution)
+{
+  for (const double c : {1.5, 4.}) {
+    const Mesh_view mesh = tube_around(c, 0, 12);
+    const double expected = pi * pi * c * c / std::sqrt(c * c - 1);
+    for (const bool has_volume : {false, true}) {
+      std::optional<double> volume;
+      if (has_volume) volume = CGP::enclosure(mesh).reduced_volume;
+      const CGP::Flow_report report = flown(mesh, volume);
+      EXPECT_TRUE(report) << report.message;
+      EXPECT_NEAR(report.energy, expected, .05 * expected);
+      EXPECT_NEAR(report.energy_of_faces, report.initial_energy_of_faces, 1e-3 * expected);
+    }
+  }
+}
+
+TEST(Conformal_willmore_flow_of_tori, leaves_those_that_are_saddles)
+{
+  const double stable = flown(tube_around(1.5, .05, 16), {}).energy_of_faces;
+  EXPECT_NEAR(stable, pi * pi * 2.25 / std::sqrt(1.25), .05 * stable);
+  EXPECT_LT(flown(tube_around(4, .4, 16), {}).energy_of_faces, 8 * pi);
 }
 
 }  // namespace cgp_test::conformal_willmore_flow_tori_tests

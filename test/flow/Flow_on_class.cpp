@@ -129,6 +129,21 @@ Mesh_view twisted_dumbbell(double neck, int twist)
   return {std::move(p), std::move(faces)};
 }
 
+/// a vertex, a face of it, and the least angle of that face
+void expect_place_on(const Mesh_view& mesh, const CGP::Flow_step_report::Place& place)
+{
+  ASSERT_GE(place.vertex, 0);
+  ASSERT_GE(place.face, 0);
+  double least = pi;
+  bool is_corner = false;
+  for (int c = 0; c < 3; ++c) {
+    least = std::min(least, CGP::corner_angle(mesh.sheet(place.face), c));
+    is_corner = is_corner || mesh.corners(place.face)[at(c)] == place.vertex;
+  }
+  EXPECT_TRUE(is_corner);
+  EXPECT_DOUBLE_EQ(place.angle, least);
+}
+
 // What a user gets are the faces of the input, however good the map is on others.
 TEST(Flow_on_class, is_judged_on_the_faces_of_the_input)
 {
@@ -151,6 +166,7 @@ TEST(Flow_on_class, is_judged_on_the_faces_of_the_input)
       ++stopped;
       EXPECT_EQ(report.stop, Stop::limits_reached);
       EXPECT_FALSE(report);
+      expect_place_on(mesh, report.place);
     }
   EXPECT_GT(stopped, 0);
 }
@@ -234,7 +250,7 @@ TEST(Flow_on_class, stops_at_the_last_step_within_its_limits)
                                 report.conformality_of_faces.quasi_conformal.mean);
     EXPECT_LE(Q, 1.01);
     EXPECT_GT(Q, 1.009);  // by steps that become smaller
-    EXPECT_NE(report.message.find("not conformal"), std::string::npos) << report.message;
+    EXPECT_NE(report.message.find("quasi-conformal error"), std::string::npos) << report.message;
   }
 }
 
@@ -250,7 +266,7 @@ TEST(Flow_on_class, stops_within_its_limits_without_smaller_steps)
     EXPECT_EQ(report.stop, Stop::limits_reached) << report.message;
     EXPECT_EQ(report.conformality.fault(options.surface.limits.map),
               CGP::Conformality::Fault::none);
-    EXPECT_NE(report.message.find("not conformal"), std::string::npos) << report.message;
+    EXPECT_NE(report.message.find("quasi-conformal error"), std::string::npos) << report.message;
   }
 }
 

@@ -140,7 +140,7 @@ struct At_bound {
     CGP::Spin_transformation transformation(moved);
     const Eigen::VectorXd H = CGP::mean_curvature(moved), areas = CGP::vertex_areas(moved);
     const Eigen::VectorXd rho = tau * (areas.dot(H) / areas.sum() - H.array());
-    return bound.step(transformation, moved, rho, tau, [](const auto&) { return true; });
+    return bound.step(transformation, moved, rho, tau, [](const auto&) { return true; }).value();
   }
 
   Mesh_view mesh, moved;
@@ -196,6 +196,18 @@ TEST(Scale_bound, ends_with_an_energy_that_does_not_depend_on_the_mesh)
     EXPECT_LT(fine.report.steps.size(), 20U);
     EXPECT_NEAR(coarse.report.energy / fine.report.energy, 1, .015);
   }
+}
+
+// With a bound nothing is left to be smoothed beyond `Flow_options::max_spin_distortion`.
+TEST(Scale_bound, lets_transformations_go_on_to_the_limits)
+{
+  const End end = flown(gear(10, .1, 8, 6), 4, 40);
+  EXPECT_TRUE(end.report) << end.report.message;
+  EXPECT_TRUE(end.report.converged());
+  EXPECT_GT(end.report.bounded_steps, 0);
+  EXPECT_LE(end.report.scales.excess(), 1);
+  EXPECT_GT(end.report.conformality.quasi_conformal.mean, CGP::Flow_options().max_spin_distortion);
+  EXPECT_LT(end.report.energy_of_faces, 1.03 * 4 * pi);
 }
 
 TEST(Scale_bound, changes_nothing_where_it_is_wide)

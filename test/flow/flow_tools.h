@@ -22,6 +22,32 @@ inline CGP::Flow_options plain_steps(double time_step, int steps)
   return options;
 }
 
+/// a gear as a prism: teeth around, `layers` of faces along its axis, fans at its ends
+inline Mesh_view gear(int teeth, double depth, int layers, double height)
+{
+  const int around = 4 * teeth, rings = layers + 1, all = around * rings;
+  Points p(3, all + 2);
+  for (int i = 0; i < rings; ++i)
+    for (int j = 0; j < around; ++j) {
+      const double angle = 2 * pi * j / around, r = j % 4 < 2 ? 1 : 1 - depth;
+      p.col(i * around + j) << r * std::cos(angle), r * std::sin(angle), height * i / layers;
+    }
+  p.col(all) << 0, 0, 0;
+  p.col(all + 1) << 0, 0, height;
+  Mesh_view::Corners faces;
+  for (int j = 0; j < around; ++j) {
+    const int k = (j + 1) % around, top = (rings - 1) * around;
+    for (int i = 0; i + 1 < rings; ++i) {
+      const int a = i * around + j, b = i * around + k;
+      faces.push_back({a, b, b + around});
+      faces.push_back({a, b + around, a + around});
+    }
+    faces.push_back({all, k, j});
+    faces.push_back({all + 1, top + j, top + k});
+  }
+  return {std::move(p), std::move(faces)};
+}
+
 /// along the x-axis
 inline Mesh_view stretched(const Mesh_view& mesh, double factor)
 {

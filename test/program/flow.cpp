@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace cgp_test::flow_tests {
 
@@ -252,35 +253,6 @@ TEST_F(Flow, a_snapshot_does_not_replace_the_input)
   EXPECT_TRUE(has("a_0002.off"));
 }
 
-TEST_F(Flow, what_does_not_verify_is_written_only_by_force)
-{
-  write("a.off", off(cgp_test::bumpy_sphere(2)));
-  const std::string flow =
-      "flow a.off --steps 2 --every 1 -o b.ply --json b.json --limit quasi_conformal=1.0001";
-  EXPECT_TRUE(fails(run(flow), 1, "stopped after 0 of 2 steps: the limits of distortion"));
-  EXPECT_FALSE(has("b.ply") || has("b_0001.ply") || has("b_0002.ply"));
-  EXPECT_FALSE(json("b.json")["verified"]);
-  EXPECT_EQ(run(flow + " --force").code, 0);
-  EXPECT_TRUE(has("b.ply") && has("b_0001.ply") && has("b_0002.ply"));
-}
-
-TEST_F(Flow, stops_at_the_last_step_that_verifies_writes_it_and_fails)
-{
-  write("a.off", off(cgp_test::bumpy_sphere(3)));
-  for (const std::string kind : {"", " --plain --time-step .25"}) {
-    const Program_run r = run("flow a.off -o b.ply --json b.json --steps 10" + kind +
-                              " --limit quasi_conformal=1.008");
-    EXPECT_TRUE(fails(r, 1, "the limits of distortion are reached")) << r.err;
-    EXPECT_TRUE(has("b.ply"));
-    const auto report = json("b.json");
-    EXPECT_FALSE(report["verified"]);
-    EXPECT_LE(report["result"]["quasi_conformal"]["mean"], 1.008);
-    EXPECT_GT(report["steps"].size(), 0u);
-    EXPECT_LT(report["steps"].size(), 10u);
-    ASSERT_EQ(shell("rm b.ply").code, 0);
-  }
-}
-
 TEST_F(Flow, keeps_the_exact_conformal_class)
 {
   write("a.off", off(cgp_test::irregular_torus(2, 1, 24, 12)));
@@ -318,32 +290,6 @@ TEST_F(Flow, tells_how_constant_the_mean_curvature_is)
   const auto H = json("b.json")["result"]["mean_curvature"];
   EXPECT_NEAR(std::abs(H["mean"].get<double>()), .5, .002);
   EXPECT_LT(H["deviation"], .002);
-}
-
-TEST_F(Flow, notes_how_much_has_become_small)
-{
-  const auto dumbbell = cgp_test::mapped(cgp_test::icosphere(4), [](const Eigen::Vector3d& p) {
-    const double s = .15 + .85 * std::min(1., p.z() * p.z() / .36);
-    return Eigen::Vector3d(s * p.x(), s * p.y(), 2 * p.z());
-  });
-  write("a.off", off(dumbbell));
-  const Program_run r = run("flow a.off --steps 20 -o b.off");
-  EXPECT_NE(r.err.find(" % of the area has shrunk below a tenth"), std::string::npos) << r.err;
-  const Program_run kept = run("flow a.off --steps 20 --max-scale 3 -o b.off --json b.json");
-  EXPECT_EQ(kept.err.find("shrunk"), std::string::npos) << kept.err;
-  const auto scales = json("b.json")["result"]["scale_control"];
-  EXPECT_GE(scales["low"], .999 / 3);
-  EXPECT_LE(scales["high"], 3.001);
-  write("a.off", off(cgp_test::bumpy_sphere(3)));
-  EXPECT_EQ(run("flow a.off --steps 3 -o b.off").err.find("shrunk"), std::string::npos);
-}
-
-TEST_F(Flow, without_a_single_step_it_fails)
-{
-  write("a.off", off(cgp_test::bumpy_sphere(2)));
-  EXPECT_TRUE(fails(run("flow -q a.off --plain --steps 2 --advanced tolerance=1e-30 -o b.ply"), 1,
-                    "stopped after 0 of 2 steps"));
-  EXPECT_FALSE(has("b.ply"));
 }
 
 TEST_F(Flow, interrupted_it_leaves_the_last_complete_step)

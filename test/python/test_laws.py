@@ -106,7 +106,7 @@ def test_the_flow_keeps_a_volume():
     volume = np.einsum("ij,ij->", start[F[:, 0]], np.cross(start[F[:, 1]], start[F[:, 2]])) / 6
     assert report.initial_enclosure.volume == pytest.approx(volume, rel=1e-12)
     less = cg.willmore_flow(start, F, reduced_volume=.5, max_steps=1).report
-    assert not less and less.fault == "the prescribed volume is not reached"
+    assert not less and less.fault.startswith("the prescribed volume is not reached; all steps")
 
 
 def test_the_flow_stops_where_a_callback_says():
@@ -143,7 +143,7 @@ def test_flipped_faces_are_delaunay_and_flow_as_they_are_judged():
     assert all(set(a) == set(b) for a, b in zip(F[same], made.faces[same]))
     assert all(set(F[k]) != set(made.faces[k]) for k in made.changed)
     assert cg.make_delaunay(thin, made.faces).flips == 0
-    report = cg.willmore_flow(thin, made.faces).report
+    report = cg.willmore_flow(thin, made.faces, max_steps=2).report
     assert report and report.energy_of_faces == report.energy
 
 

@@ -20,6 +20,7 @@
 #include <Conformal_geometry_processing/mesh/topology.h>
 
 #include <cmath>
+#include <cstddef>
 #include <cstdlib>
 #include <optional>
 #include <string>
@@ -197,24 +198,34 @@ std::string easier_than(CGP::Flow_step_report::Stop stop, Connectivity connectiv
   return "--mollify for thin faces, fewer --steps, or a finer mesh";
 }
 
+/// with the numbers of the file
+CGP::Flow_step_report::Place in_file(CGP::Flow_step_report::Place place, const Surface_input& input)
+{
+  if (place.vertex < 0) return place;
+  place.vertex = input.vertex_in_file[static_cast<std::size_t>(place.vertex)];
+  place.face = input.face_in_file[static_cast<std::size_t>(place.face)];
+  return place;
+}
+
 /// Conformal maps of long limbs and behind thin necks are exponential: how much has become small.
-void note_collapse(const Flow_solution& solution, const CGP::Mesh_view& mesh, Session& session)
+void note_collapse(const Flow_solution& solution, const Surface_input& input, Session& session)
 {
   const double share = solution.report.conformality_of_faces.scale.collapsed_share;
   const double noteworthy = .01;
   if (share <= noteworthy) return;
   Eigen::Index face = 0;
-  const double least = CGP::length_scales(mesh, solution.positions).minCoeff(&face);
+  const double least = CGP::length_scales(input.mesh, solution.positions).minCoeff(&face);
   session.note(text_of(100 * share, 3) +
-               " % of the area has shrunk below a tenth, lengths of face " + std::to_string(face) +
-               " to " + text_of(least, 2) +
+               " % of the area has shrunk below a tenth, lengths of face " +
+               std::to_string(input.face_in_file[static_cast<std::size_t>(face)]) + " to " +
+               text_of(least, 2) +
                ": limbs, and what is behind a thin neck, become small; try: fewer --steps, or "
                "--max-scale 4");
 }
 
 /// A flow that was stopped by what it met has not done what was asked, though its last surface
 /// verifies: that is written, and the run has failed.
-void conclude(const Flow_solution& solution, const CGP::Mesh_view& mesh,
+void conclude(const Flow_solution& solution, const Surface_input& input,
               const CGP::Spin_report& steps, const Flow_options& options, Session& session)
 {
   Verdict verdict = judge(evidence_of(solution, steps, options), options.request.surface.limits,
@@ -226,7 +237,7 @@ void conclude(const Flow_solution& solution, const CGP::Mesh_view& mesh,
                     easier_than(solution.report.stop, options.connectivity);
   const On_fault write = is_good ? On_fault::fail_in_the_end : On_fault::refuse;
   session.conclude(verdict, options.force ? On_fault::force : write);
-  note_collapse(solution, mesh, session);
+  note_collapse(solution, input, session);
 }
 
 void tell(const Flow_solution& solution, const CGP::Spin_report& evidence,
@@ -258,11 +269,12 @@ Flow_solution flowed(const Surface_input& input, const Flow_options& options, Se
   CGP::Conformal_willmore_flow flow(input.mesh, request, {}, "flow");
   Flow_solution solution{{}, flow.run(watch)};
   solution.positions = flow.positions();
+  solution.report.place = in_file(solution.report.place, input);
   watch.end();
   if (solution.report.steps.empty()) throw_if_interrupted();
   session.end_stage("flow");
   tell(solution, watch.evidence(), input, options, session);
-  conclude(solution, input.mesh, watch.evidence(), options, session);
+  conclude(solution, input, watch.evidence(), options, session);
   return solution;
 }
 

@@ -154,17 +154,26 @@ void tell_class(const CGP::Flow_report& flow, const CGP::Mesh_view& initial, Rep
                 flow.conformal_type_change, 3);
 }
 
+void tell_place(const CGP::Flow_step_report::Place& place, Report& report)
+{
+  if (place.vertex < 0) return;
+  report.set("result/stop_place/vertex", place.vertex);
+  report.set("result/stop_place/face", place.face);
+  report.set("result/stop_place/angle_degrees", place.angle * 180 / std::acos(-1.));
+}
+
 }  // namespace
 
 std::string reason(const CGP::Flow_report& report)
 {
   if (report.stop == CGP::Flow_step_report::Stop::cancelled) return "interrupted";
   const CGP::Enclosure& last = report.enclosure;
+  std::string words = CGP::to_string(report.stop);
   if (!report.has_volume())
-    return "the reduced volume is " + text_of(last.reduced_volume) + ", not yet " +
-           text_of(last.reduced_volume * std::exp(report.missing_volume));
-  const std::string words = CGP::to_string(report.stop);
-  return report.message.empty() ? words : words + " (" + report.message + ")";
+    words = "the reduced volume is " + text_of(last.reduced_volume) + ", not yet " +
+            text_of(last.reduced_volume * std::exp(report.missing_volume)) + ", and " + words;
+  if (report.message.empty()) return words;
+  return words + " (" + report.message + CGP::to_string(report.place) + ")";
 }
 
 void tell_flow(const Flow_solution& solution, const CGP::Mesh_view& initial,
@@ -176,6 +185,7 @@ void tell_flow(const Flow_solution& solution, const CGP::Mesh_view& initial,
   report.tell("result/steps", "steps", static_cast<int>(flow.steps.size()));
   report.set("result/stop", reason(flow).c_str());
   report.show("stopped because", reason(flow));
+  tell_place(flow.place, report);
   report.set("result/converged", flow.converged());
   tell_shape(solution, initial, report);
   report.set("result/residual", evidence.residual);

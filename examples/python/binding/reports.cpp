@@ -103,11 +103,18 @@ std::string reason(CGP::Flow_step_report::Stop stop, const std::string& message)
   return to_string(stop) + (message.empty() ? "" : ": " + message);
 }
 
+py::object as_dict(const CGP::Flow_step_report::Place& place)
+{
+  if (place.vertex < 0) return py::none();
+  return py::dict("vertex"_a = place.vertex, "face"_a = place.face, "angle"_a = place.angle);
+}
+
 py::object fault_of(const CGP::Flow_report& r)
 {
   if (r) return py::none();
-  if (!r.has_volume()) return py::str("the prescribed volume is not reached");
-  if (!r.is_complete()) return py::str(reason(r.stop, r.message));
+  const std::string words = reason(r.stop, r.message) + to_string(r.place);
+  if (!r.has_volume()) return py::str("the prescribed volume is not reached; " + words);
+  if (!r.is_complete()) return py::str(words);
   if (r.map_fault() != CGP::Conformality::Fault::none) return py::str(to_string(r.map_fault()));
   return py::str(r.conformal_type_change <= r.max_conformal_type_change
                      ? "the edges have failed to close up around handles and holes"
@@ -171,16 +178,16 @@ py::dict as_dict(const CGP::Spin_report& r)
 py::dict as_dict(const CGP::Flow_step_report& r)
 {
   using Stop = CGP::Flow_step_report::Stop;
-  py::dict d("step"_a = r.step, "accepted"_a = r.accepted,
-             "stop"_a = text_or_none(r.stop != Stop::none, to_string(r.stop)),
-             "message"_a = r.message, "energy_before"_a = r.energy_before, "energy"_a = r.energy,
-             "energy_of_faces"_a = r.energy_of_faces, "is_bounded"_a = r.is_bounded,
-             "faired"_a = r.faired, "time_step"_a = r.time_step, "trials"_a = r.trials,
-             "direction_norm"_a = r.direction_norm,
-             "direction_norm_after"_a = r.direction_norm_after,
-             "remaining_share"_a = r.remaining_share, "period_defect"_a = r.period_defect,
-             "spin"_a = as_dict(r.spin), "quasi_conformal"_a = as_dict(r.quasi_conformal),
-             "length_cross_ratio"_a = r.length_cross_ratio, "seconds"_a = r.seconds);
+  py::dict d(
+      "step"_a = r.step, "accepted"_a = r.accepted,
+      "stop"_a = text_or_none(r.stop != Stop::none, to_string(r.stop)), "message"_a = r.message,
+      "place"_a = as_dict(r.place), "energy_before"_a = r.energy_before, "energy"_a = r.energy,
+      "energy_of_faces"_a = r.energy_of_faces, "is_bounded"_a = r.is_bounded, "faired"_a = r.faired,
+      "time_step"_a = r.time_step, "trials"_a = r.trials, "direction_norm"_a = r.direction_norm,
+      "direction_norm_after"_a = r.direction_norm_after, "remaining_share"_a = r.remaining_share,
+      "period_defect"_a = r.period_defect, "spin"_a = as_dict(r.spin),
+      "quasi_conformal"_a = as_dict(r.quasi_conformal),
+      "length_cross_ratio"_a = r.length_cross_ratio, "seconds"_a = r.seconds);
   return d;
 }
 
@@ -190,8 +197,9 @@ py::dict as_dict(const CGP::Flow_report& r)
   for (const CGP::Flow_step_report& step : r.steps) steps.append(as_dict(step));
   return py::dict(
       "fault"_a = fault_of(r), "stop"_a = to_string(r.stop), "converged"_a = r.converged(),
-      "message"_a = r.message, "steps"_a = steps, "initial_energy"_a = r.initial_energy,
-      "energy"_a = r.energy, "initial_energy_of_faces"_a = r.initial_energy_of_faces,
+      "message"_a = r.message, "place"_a = as_dict(r.place), "steps"_a = steps,
+      "initial_energy"_a = r.initial_energy, "energy"_a = r.energy,
+      "initial_energy_of_faces"_a = r.initial_energy_of_faces,
       "energy_of_faces"_a = r.energy_of_faces, "conformality"_a = as_dict(r.conformality),
       "conformality_of_faces"_a = as_dict(r.conformality_of_faces),
       "initial_enclosure"_a = as_dict(r.initial_enclosure), "enclosure"_a = as_dict(r.enclosure),

@@ -10,30 +10,6 @@
 
 namespace Conformal_geometry_processing {
 
-internal::Time_step::Time_step(double largest, double smallest, double first)
-    : m_largest(largest), m_smallest(smallest), m_value(first)
-{}
-
-bool internal::Time_step::halve()
-{
-  if (m_value / 2 < m_smallest) return false;
-  m_value /= 2;
-  if (std::exchange(m_has_grown, false)) m_next_waiting *= 2;
-  m_waiting = m_next_waiting / 2;
-  return true;
-}
-
-void internal::Time_step::grow()
-{
-  if (m_waiting > 0) {
-    --m_waiting;
-    return;
-  }
-  if (m_has_grown) m_next_waiting = 1;
-  m_has_grown = m_value < m_largest;
-  m_value = (std::min)(1.5 * m_value, m_largest);
-}
-
 std::string step_fault(const Spin_report& report, bool is_turning, bool is_exact,
                        const Flow_options& options)
 {
@@ -75,7 +51,7 @@ Conformal_willmore_flow::Conformal_willmore_flow(const Mesh_view& mesh, const Fl
 {
   if (options.surface.scales.bound) m_scale_bound.emplace(m_initial, *options.surface.scales.bound);
   if (options.surface.exact_conformal_class) m_class.emplace(m_initial, options.surface.boundary);
-  if (m_faces && !options.surface.mollification && !m_volume && boundary_loops(mesh).empty())
+  if (m_class && !options.surface.mollification && !m_volume && boundary_loops(mesh).empty())
     make_filter();
   if (!options.surface.mollification) return;
   m_well_shaped = well_shaped_part(m_initial);
@@ -151,11 +127,12 @@ void Conformal_willmore_flow::find_time_step(
     else if (slight_rises == 2)  // halving the step does not help: this is the minimum
       report.stop = Flow_step_report::Stop::energy_settled;
     else if (!m_time_step.halve())
-      report.stop = reason_to_end(verdict);
+      report.stop = reason_to_end(verdict, report);
   }
 }
 
-Flow_step_report::Stop Conformal_willmore_flow::reason_to_end(Verdict last) const
+Flow_step_report::Stop Conformal_willmore_flow::reason_to_end(Verdict last,
+                                                              Flow_step_report& report) const
 {
   if (last == Verdict::rises_slightly || last == Verdict::rises_within_error ||
       last == Verdict::out_of_bound)
@@ -165,7 +142,12 @@ Flow_step_report::Stop Conformal_willmore_flow::reason_to_end(Verdict last) cons
   const double largest_range = 10;
   const auto scale = map_to(measured(), m_mesh.positions()).scale;
   const bool is_out = m_class && !(std::log(scale.max_scale / scale.min_scale) <= largest_range);
-  if (is_out) return Flow_step_report::Stop::scale_range;
+  if (is_out) {
+    const Eigen::VectorXd u = internal::vertex_log_scales(m_initial, m_mesh.positions());
+    const std::string factor = "exp(" + std::to_string(-u.minCoeff()) + ")";
+    (void)reject({"lengths have shrunk by a factor of " + factor, -u}, report);
+    return Flow_step_report::Stop::scale_range;
+  }
   return last == Verdict::out_of_limits ? Flow_step_report::Stop::limits_reached
                                         : Flow_step_report::Stop::time_step_too_small;
 }
@@ -174,15 +156,38 @@ auto Conformal_willmore_flow::try_step(const Eigen::VectorXd& rho, Flow_step_rep
                                        const Go_further& go_further) -> Verdict
 {
   try {
-    Verdict verdict = Verdict::out_of_bound;
-    report.is_bounded = m_is_bounded;
-    if (!m_is_bounded) verdict = judge_new(m_transformation.closed_step(rho, go_further), report);
-    return verdict == Verdict::out_of_bound ? try_bounded_step(rho, report, go_further) : verdict;
+    return m_is_bounded ? try_at_bound(rho, report, go_further)
+                        : try_within_bound(rho, report, go_further);
   } catch (const Solver_error& error) {
     if (is_out_of_memory(error)) throw;
-    report.message = error.what();
-    return Verdict::bad;
+    return reject({error.what(), internal::thinness(m_mesh)}, report);
   }
+}
+
+auto Conformal_willmore_flow::try_within_bound(const Eigen::VectorXd& rho, Flow_step_report& report,
+                                               const Go_further& go_further) -> Verdict
+{
+  report.is_bounded = false;
+  const Verdict verdict = judge_new(m_transformation.closed_step(rho, go_further), report);
+  return verdict == Verdict::out_of_bound && !m_is_bounded
+             ? try_bounded_step(rho, report, go_further)
+             : verdict;
+}
+
+// rho may lead away from the bound by itself: limbs move much, and to and fro.
+auto Conformal_willmore_flow::try_at_bound(const Eigen::VectorXd& rho, Flow_step_report& report,
+                                           const Go_further& go_further) -> Verdict
+{
+  const auto is_decided = [](Verdict v) { return v == Verdict::good || v == Verdict::cancelled; };
+  const Verdict bounded = try_bounded_step(rho, report, go_further);
+  if (is_decided(bounded)) return bounded;
+  const std::string message = report.message;
+  const Flow_step_report::Place place = report.place;
+  const Verdict unbounded = try_within_bound(rho, report, go_further);
+  if (is_decided(unbounded)) return unbounded;
+  report.message = message;
+  report.place = place;
+  return bounded;
 }
 
 auto Conformal_willmore_flow::try_bounded_step(const Eigen::VectorXd& rho, Flow_step_report& report,
@@ -190,15 +195,20 @@ auto Conformal_willmore_flow::try_bounded_step(const Eigen::VectorXd& rho, Flow_
 {
   const int tries = 2;  // the second one knows what the first has missed the bound by
   const double time = report.time_step / m_options.time_step;
-  Verdict verdict = Verdict::out_of_bound;
   report.is_bounded = true;
-  for (int i = 0; i < tries && verdict == Verdict::out_of_bound; ++i) {
-    verdict =
-        judge_new(m_scale_bound->step(m_transformation, m_mesh, rho, time, go_further), report);
-    if (verdict == Verdict::out_of_bound) m_scale_bound->learn(m_next.positions(), time);
+  for (int i = 0; i < tries; ++i) {
+    auto next = m_scale_bound->step(m_transformation, m_mesh, rho, time, go_further);
+    if (!next) {
+      (void)reject({"no step within the bound on lengths lowers the energy", scales_of(m_mesh)},
+                   report);
+      return Verdict::out_of_bound;
+    }
+    const Verdict verdict = judge_new(std::move(*next), report);
+    if (verdict == Verdict::good) m_scale_bound->learn(m_mesh.positions(), time);
+    if (verdict != Verdict::out_of_bound) return verdict;
+    m_scale_bound->learn(m_next.positions(), time);
   }
-  if (verdict == Verdict::good) m_scale_bound->learn(m_mesh.positions(), time);
-  return verdict;
+  return Verdict::out_of_bound;
 }
 
 auto Conformal_willmore_flow::judge_new(Spin_result result, Flow_step_report& report) -> Verdict
@@ -213,19 +223,28 @@ auto Conformal_willmore_flow::judge_new(Spin_result result, Flow_step_report& re
 auto Conformal_willmore_flow::judge(Spin_result result, Flow_step_report& report) -> Verdict
 {
   const std::string fault = step_fault(result.report, is_turning(), m_class.has_value(), m_options);
-  if (!fault.empty()) return reject(fault, report);
+  if (!fault.empty()) {
+    const bool is_found = result.positions.cols() == m_mesh.size_of_vertices();
+    return reject({fault, internal::distortion_at_vertices(
+                              m_mesh, is_found ? result.positions : m_mesh.positions())},
+                  report);
+  }
   if (m_class && !m_class->snap(result.positions))
-    return reject("the conformal class is not reached", report);
+    return reject({"the conformal class is not reached",
+                   internal::misfit_of_class(m_initial, result.positions)},
+                  report);
   m_next.set_positions(std::move(result.positions));
   const double energy = energy_of(m_next), rise = energy - m_energy;
-  if (!std::isfinite(energy)) return reject("the energy is not finite", report);
+  const auto growth = [&] { return internal::energy_growth(in_frame(m_mesh), in_frame(m_next)); };
+  if (!std::isfinite(energy)) return reject({"the energy is not finite", growth()}, report);
   if (keeps_directions()) report.direction_norm_after = m_direction.norm_on(m_next);
   if (rise >= forbidden_rise() && !is_of_boundary(rise, report)) {
-    (void)reject("the energy rises by " + std::to_string(rise / m_energy) + " of it", report);
+    (void)reject({"the energy rises by " + std::to_string(rise / m_energy) + " of it", growth()},
+                 report);
     if (is_small(rise, report.time_step)) return Verdict::rises_slightly;
     return is_within_error(rise, report.is_bounded) ? Verdict::rises_within_error : Verdict::bad;
   }
-  return move_on(balanced(energy), spin_limits(), report);
+  return move_on(balanced(energy), spin_limits(report.is_bounded), report);
 }
 
 double Conformal_willmore_flow::balanced(double energy)
@@ -292,11 +311,17 @@ Spin_report::Direction_error Conformal_willmore_flow::direction_error() const
   return {errors.mean(), errors.maxCoeff()};
 }
 
-auto Conformal_willmore_flow::reject(const std::string& message, Flow_step_report& report)
-    -> Verdict
+auto Conformal_willmore_flow::reject(const internal::Refusal& refusal,
+                                     Flow_step_report& report) const -> Verdict
 {
-  report.message = message;
+  report.message = refusal.reason;
+  report.place = internal::place_of(m_input, refusal.measure);
   return Verdict::bad;
+}
+
+Eigen::VectorXd Conformal_willmore_flow::scales_of(const Mesh_view& mesh) const
+{
+  return internal::vertex_log_scales(m_initial, mesh.positions()).cwiseAbs();
 }
 
 bool Conformal_willmore_flow::is_small(double change, double time) const
@@ -317,12 +342,12 @@ auto Conformal_willmore_flow::move_on(double energy, const Conformality::Limits&
                                       Flow_step_report& report) -> Verdict
 {
   if (m_scale_bound && m_scale_bound->measured(m_next.positions()).excess() > 1) {
-    (void)reject("lengths have reached their bound", report);
+    (void)reject({"lengths have reached their bound", scales_of(m_next)}, report);
     return Verdict::out_of_bound;
   }
   const Conformality map = map_to(measured(), m_next.positions());
-  if (const std::string fault = beyond(map, limits, m_next.positions()); !fault.empty()) {
-    (void)reject(fault, report);
+  if (const internal::Refusal refusal = beyond(map, limits, m_next.positions())) {
+    (void)reject(refusal, report);
     return Verdict::out_of_limits;
   }
   report.quasi_conformal = map.quasi_conformal;
@@ -330,7 +355,8 @@ auto Conformal_willmore_flow::move_on(double energy, const Conformality::Limits&
   try {
     m_transformation.set_positions(m_next.positions());
   } catch (const Precondition_error& error) {
-    return reject(error.message(), report);
+    return reject({error.message(), internal::distortion_at_vertices(m_mesh, m_next.positions())},
+                  report);
   }
   std::swap(m_mesh, m_next);
   m_energy = energy;
@@ -344,6 +370,7 @@ void Conformal_willmore_flow::accept(Flow_step_report& report, bool was_filling)
   report.energy = m_energy;
   report.energy_of_faces = energy_of_faces(positions());
   report.message.clear();
+  report.place = {};
   if (was_filling) m_energy_of_input = report.energy_of_faces;  // that of another volume
   m_is_bounded = report.is_bounded;
   if (m_class) judge_boundary(report.spin);

@@ -8,7 +8,9 @@
 #include <Conformal_geometry_processing/flow/Flow_balance.h>
 #include <Conformal_geometry_processing/flow/Flow_options.h>
 #include <Conformal_geometry_processing/flow/Flow_report.h>
+#include <Conformal_geometry_processing/flow/Refusal.h>
 #include <Conformal_geometry_processing/flow/Scale_bound.h>
+#include <Conformal_geometry_processing/flow/Time_step.h>
 #include <Conformal_geometry_processing/flow/Volume_constraint.h>
 #include <Conformal_geometry_processing/measure/Conformality.h>
 #include <Conformal_geometry_processing/measure/energies.h>
@@ -32,35 +34,6 @@
 #include <string>
 
 namespace Conformal_geometry_processing {
-namespace internal {
-
-/// \brief the time step of a flow with backtracking: shrinks after failures and grows again.
-///
-/// Growth by a smaller factor than halving undoes, and only after successes without it, prevents a
-/// flow with a limited step from failing in every other trial: each time that growth fails, it
-/// waits for twice as many of them.
-class Time_step {
- public:
-  /// \param first tried first
-  /// \pre 0 < smallest <= first <= largest
-  Time_step(double largest, double smallest, double first);
-
-  double value() const { return m_value; }
-
-  /// call after a failed step; returns false and keeps the step if half of it would be too small
-  bool halve();
-
-  /// call after a successful step
-  void grow();
-
- private:
-  double m_largest, m_smallest, m_value;
-  int m_waiting = 0, m_next_waiting = 1;  // successes without growth
-  bool m_has_grown = false;               // by the last success
-};
-
-}  // namespace internal
-
 /// \ingroup PkgFlow
 /// \brief why a step of a flow must be rejected whatever its energy; empty if it may be accepted.
 ///
@@ -174,7 +147,7 @@ class Conformal_willmore_flow {
     } catch (const Solver_error& error) {
       restore(before);
       if (is_out_of_memory(error)) throw;  // a smaller step needs as much memory
-      report.message = error.what();
+      (void)reject({error.what(), internal::thinness(m_mesh)}, report);
       report.stop = Flow_step_report::Stop::step_failed;
     } catch (...) {
       restore(before);
@@ -241,6 +214,9 @@ class Conformal_willmore_flow {
   /// the faces of the input, or those well shaped, where the flow has others
   std::optional<Mesh_view> other_faces() const;
 
+  /// of the input, or those well shaped
+  const Mesh_view& faces() const { return m_faces ? *m_faces : measured(); }
+
   /// the filter of the faces of the input; none where these are so thin that it cannot be factored
   void make_filter();
 
@@ -255,9 +231,9 @@ class Conformal_willmore_flow {
   double energy_of_faces(const Points& positions) const;
 
   /// \brief why a surface, whose map is known, is beyond limits, or on the faces of the input
-  /// beyond `Flow_options::limits`; empty if it is not.
-  std::string beyond(const Conformality& map, const Conformality::Limits& limits,
-                     const Points& positions) const;
+  /// beyond `Flow_options::limits`.
+  internal::Refusal beyond(const Conformality& map, const Conformality::Limits& limits,
+                           const Points& positions) const;
 
   /// how the connectivity of the class was made of the faces of the input, with mollification
   Spin_report::Mollification mollification_on_class() const;
@@ -306,6 +282,12 @@ class Conformal_willmore_flow {
   /// Transforms the surface; adopts the result if it is acceptable.
   Verdict try_step(const Eigen::VectorXd& rho, Flow_step_report& report,
                    const Go_further& go_further);
+  /// Likewise by rho, with the bound on lengths if they are beyond then.
+  Verdict try_within_bound(const Eigen::VectorXd& rho, Flow_step_report& report,
+                           const Go_further& go_further);
+  /// Likewise after a step with the bound, by rho if that fails.
+  Verdict try_at_bound(const Eigen::VectorXd& rho, Flow_step_report& report,
+                       const Go_further& go_further);
   /// Likewise with the rho' that keeps lengths to their bound.
   Verdict try_bounded_step(const Eigen::VectorXd& rho, Flow_step_report& report,
                            const Go_further& go_further);
@@ -350,9 +332,12 @@ class Conformal_willmore_flow {
 
   /// \brief why no time step is left: the minimum is reached as well as the mesh allows, limbs are
   /// too small, or neither.
-  Flow_step_report::Stop reason_to_end(Verdict last) const;
+  Flow_step_report::Stop reason_to_end(Verdict last, Flow_step_report& report) const;
 
-  static Verdict reject(const std::string& message, Flow_step_report& report);
+  Verdict reject(const internal::Refusal& refusal, Flow_step_report& report) const;
+
+  /// how far logarithms of lengths are from those of the initial surface, |V|
+  Eigen::VectorXd scales_of(const Mesh_view& mesh) const;
 
   /// whether a change of the energy is below the tolerance, extrapolated to a time of 1
   bool is_small(double change, double time) const;
@@ -365,7 +350,8 @@ class Conformal_willmore_flow {
   /// Adopts the next surface if the map to it is within the limits. Performs all operations that
   /// may fail before the first change.
   Verdict move_on(double energy, const Conformality::Limits& limits, Flow_step_report& report);
-  Conformality::Limits spin_limits() const;
+  /// of a step; with a bound on lengths, which hardly leaves anything to be smoothed, all
+  Conformality::Limits spin_limits(bool is_bounded) const;
   void accept(Flow_step_report& report, bool was_filling);
 
   std::string m_function;
@@ -374,7 +360,7 @@ class Conformal_willmore_flow {
   Mesh_view m_input;                              // with its own faces
   Mesh_view m_initial, m_mesh, m_next;            // m_next: workspace for trials
   std::optional<Mesh_view> m_faces;               // of the input, where the flow has others
-  std::optional<internal::Face_filter> m_filter;  // of these
+  std::optional<internal::Face_filter> m_filter;  // of the input
   Spin_transformation m_transformation;
   std::optional<internal::Class_keeper> m_class;  // if the exact class is kept
   std::optional<internal::Well_shaped_faces>

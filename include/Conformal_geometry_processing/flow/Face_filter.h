@@ -8,12 +8,13 @@
 
 namespace Conformal_geometry_processing::internal {
 
-/// \brief points of a flow that suit the faces of its input, where it computes with others.
+/// \brief points of a flow that suit the faces of its input.
 ///
 /// Where faces are thin, what is smooth on the triangulation of the flow may be rough on them, as
-/// the same points are joined by other edges. That roughness is as narrow as an edge, so a filter
-/// takes it off: with A = (M + S L)^-1 M, the cotan Laplacian L and vertex areas M of the input,
-/// and S their mean,
+/// the same points are joined by other edges, and steps cannot smooth faces of the triangulation
+/// that are thin themselves, of prisms for instance. That roughness is as narrow as an edge, so a
+/// filter takes it off: with A = (M + S L)^-1 M, the cotan Laplacian L and vertex areas M of the
+/// input, and S their mean,
 ///
 ///     f - (1 - A)^2 f,
 ///

@@ -59,7 +59,7 @@ Points Conformal_willmore_flow::written(const Points& positions) const
   const double error = .05;  // of good faces
   Points settled = m_filter->settled(positions);
   const bool is_smoother = energy_of_faces(settled) < (1 - error) * energy_of_faces(positions);
-  const auto fault = [&] { return map_to(*m_faces, settled).fault(m_options.surface.limits.map); };
+  const auto fault = [&] { return map_to(faces(), settled).fault(m_options.surface.limits.map); };
   return is_smoother && fault() == Conformality::Fault::none ? settled : positions;
 }
 
@@ -72,33 +72,36 @@ Mesh_view Conformal_willmore_flow::shown() const
 
 double Conformal_willmore_flow::energy_of_faces(const Points& positions) const
 {
-  if (!m_faces || m_options.surface.mollification) return m_energy;
-  Mesh_view faces = *m_faces;
-  faces.set_positions(positions);
-  return energy_of(faces);
+  const bool is_of_flow = !m_faces && positions == m_mesh.positions();
+  if (is_of_flow || m_options.surface.mollification) return m_energy;
+  Mesh_view mesh = faces();
+  mesh.set_positions(positions);
+  return energy_of(mesh);
 }
 
-std::string Conformal_willmore_flow::beyond(const Conformality& map,
-                                            const Conformality::Limits& limits,
-                                            const Points& found) const
+internal::Refusal Conformal_willmore_flow::beyond(const Conformality& map,
+                                                  const Conformality::Limits& limits,
+                                                  const Points& found) const
 {
-  const std::string prefix = "from the initial surface, ";
-  const auto none = Conformality::Fault::none;
-  if (const auto fault = map.fault(limits); fault != none) return prefix + to_string(fault);
+  using internal::Refusal;
+  if (Refusal refusal = internal::beyond_limits(measured(), found, map, limits)) {
+    const bool is_ours = map.fault(m_options.surface.limits.map) == Conformality::Fault::none;
+    if (is_ours) refusal.reason += ", beyond which the flow smooths only";
+    return refusal;
+  }
   if (!m_faces) return {};
+  const std::string where = " on the faces of the input, which are not Delaunay";
   const Points positions = written(found);
-  const Conformality of_faces = map_to(*m_faces, positions);
-  const double Q = (std::max)(of_faces.quasi_conformal.mean, of_faces.quasi_conformal_of_new_area);
-  if (const auto fault = of_faces.fault(m_options.surface.limits.map); fault != none)
-    return prefix + to_string(fault) +
-           " on the faces of the input, which are not Delaunay (mean Q " + std::to_string(Q) +
-           ", " + std::to_string(of_faces.flipped_faces) + " flipped)";
+  Refusal of_faces = internal::beyond_limits(*m_faces, positions, map_to(*m_faces, positions),
+                                             m_options.surface.limits.map);
+  if (of_faces) return {of_faces.reason + where, of_faces.measure};
   if (m_options.surface.mollification) return {};
   const double error = .01;  // of the energy on such faces
   const double rise = energy_of_faces(positions) - m_energy_of_input;
-  return rise > forbidden_rise() + error * m_energy_of_input
-             ? "the energy rises on the faces of the input, which are not Delaunay"
-             : "";
+  if (!(rise > forbidden_rise() + error * m_energy_of_input)) return {};
+  Mesh_view after = *m_faces;
+  after.set_positions(positions);
+  return {"the energy rises" + where, internal::energy_growth(in_frame(*m_faces), in_frame(after))};
 }
 
 bool Conformal_willmore_flow::fairs() const
@@ -152,6 +155,7 @@ void Conformal_willmore_flow::settle_for_fairing(Flow_step_report& report)
   if (was_enough) {
     report.stop = Flow_step_report::Stop::none;
     report.message.clear();
+    report.place = {};
   }
   report.accepted = true;
   report.energy = m_energy;
@@ -211,7 +215,7 @@ void Conformal_willmore_flow::finish(Flow_report& report)
   report.energy = m_energy;
   if (m_class) report.period_defect = internal::largest_period_defect(report);
   report.conformality = map_to(measured(), m_mesh.positions());
-  report.conformality_of_faces = m_faces ? map_to(*m_faces, positions()) : report.conformality;
+  report.conformality_of_faces = map_to(faces(), positions());
   report.energy_of_faces = energy_of_faces(positions());
   if (boundary_loops(m_input).empty()) {
     report.initial_enclosure = enclosure(m_input);
@@ -243,7 +247,7 @@ void Conformal_willmore_flow::polish()
   try {
     (void)keep_volume(is_filling() ? 0 : 1);
     m_class->polish(f);
-    if (!beyond(map_to(measured(), f), m_options.surface.limits.map, f).empty()) return;
+    if (beyond(map_to(measured(), f), m_options.surface.limits.map, f)) return;
     m_transformation.set_positions(f);
   } catch (const Error&) {
     return;
@@ -282,10 +286,10 @@ Conformality Conformal_willmore_flow::map_to(const Mesh_view& measured, const Po
   return conformality(before, after, neighbourhood_normals(before, after));
 }
 
-Conformality::Limits Conformal_willmore_flow::spin_limits() const
+Conformality::Limits Conformal_willmore_flow::spin_limits(bool is_bounded) const
 {
   Conformality::Limits limits = m_options.surface.limits.map;
-  if (m_class && m_options.backtracking)
+  if (m_class && m_options.backtracking && !is_bounded)
     limits.quasi_conformal = (std::min)(limits.quasi_conformal, m_options.max_spin_distortion);
   return limits;
 }

@@ -2,6 +2,8 @@
 #include <Conformal_geometry_processing/flow/Flow_report.h>
 
 #include <ostream>
+#include <sstream>
+#include <string>
 #include <utility>
 
 namespace Conformal_geometry_processing {
@@ -31,6 +33,17 @@ const char* to_string(Flow_step_report::Stop stop)
   return "unknown";
 }
 
+std::string to_string(const Flow_step_report::Place& place)
+{
+  if (place.vertex < 0) return {};
+  const double degree = 3.14159265358979323846 / 180;
+  std::ostringstream text;
+  text.precision(2);
+  text << ", most at vertex " << place.vertex << ", where face " << place.face
+       << " has an angle of " << place.angle / degree << " degrees";
+  return text.str();
+}
+
 bool Flow_report::converged() const
 {
   return stop == Flow_step_report::Stop::energy_settled ||
@@ -41,6 +54,7 @@ bool append(Flow_report& report, Flow_step_report step)
 {
   report.stop = step.stop;
   report.message = step.message;
+  report.place = step.place;
   const bool is_accepted = step.accepted;
   if (step.direction_norm_after > 0)
     report.direction_norm = is_accepted ? step.direction_norm_after : step.direction_norm;
@@ -68,7 +82,8 @@ std::ostream& operator<<(std::ostream& out, const Flow_report& r)
   out << "steps                  " << r.steps.size() << "; " << to_string(r.stop)
       << "\nenergy                 from " << r.initial_energy_of_faces << " to "
       << r.energy_of_faces << '\n';
-  if (!r.message.empty()) out << "last trial             rejected: " << r.message << '\n';
+  if (!r.message.empty())
+    out << "last trial             rejected: " << r.message << to_string(r.place) << '\n';
   if (r.enclosure.area > 0)
     out << "reduced volume         from " << r.initial_enclosure.reduced_volume << " to "
         << r.enclosure.reduced_volume << '\n';

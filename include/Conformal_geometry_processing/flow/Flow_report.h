@@ -33,10 +33,18 @@ struct [[nodiscard]] Flow_step_report {
                           ///< off
   };
 
+  /// where a trial was rejected
+  struct Place {
+    int vertex = -1;   ///< where the reason is largest; -1: at no single place
+    int face = -1;     ///< the face of the input there that has the least angle
+    double angle = 0;  ///< this angle, in radians: nearly zero in slivers
+  };
+
   int step = 0;            ///< its number, from 1
   bool accepted = false;   ///< the surface has moved
   Stop stop = Stop::none;  ///< why the flow must stop after this step, if it must
   std::string message;     ///< why the last trial was rejected, if it was
+  Place place;             ///< and where
 
   double energy_before = 0, energy = 0;  ///< of the direction; Willmore energy if it has none
   double energy_of_faces = 0;            ///< likewise after the step, on the faces of the input
@@ -60,11 +68,17 @@ struct [[nodiscard]] Flow_step_report {
 /// the reason in words
 const char* to_string(Flow_step_report::Stop stop);
 
+/// \relates Flow_report
+/// ", most at vertex 12, where face 34 has an angle of 0.5 degrees"; empty if it is at no single
+/// place
+std::string to_string(const Flow_step_report::Place& place);
+
 /// \ingroup PkgFlow
 /// \brief the numbers that verify a whole flow.
 struct [[nodiscard]] Flow_report {
   Flow_step_report::Stop stop = Flow_step_report::Stop::none;
   std::string message;                    ///< why the last trial was rejected, if it was
+  Flow_step_report::Place place;          ///< and where
   std::vector<Flow_step_report> steps;    ///< the accepted ones
   double initial_energy = 0, energy = 0;  ///< on the faces of the flow
   Conformality conformality;  ///< of the map from the initial surface to the last one, likewise

@@ -65,9 +65,27 @@ Scale_control Scale_bound::control(const Mesh_view& surface, double retreat) con
   return control;
 }
 
-Spin_result Scale_bound::step(Spin_transformation& transformation, const Mesh_view& surface,
-                              const Eigen::VectorXd& rho, double time,
-                              const std::function<bool(const Eigensolver_progress&)>& go_further)
+// Lengths may keep to the bound with several weights, where a limb moves much by a small rho: with
+// large ones it is led back beyond where it was, against rho. A small weight leads to the nearest.
+bool Scale_bound::find(Relaxed_scales& search, const Eigen::VectorXd& rho, double time,
+                       const std::function<bool(const Eigensolver_progress&)>& go_further)
+{
+  const Quaternion_vector<double>& rest = search.spins().start();
+  const double excess = search.excess();
+  bool descends = false;
+  for (const double weight : {m_pace.weight, Pace().weight}) {
+    if (descends) break;
+    search.restart({rest, rho, time * weight, excess});
+    if (search.follow(rho, go_further) == Relaxed_scales::End::cancelled) return true;
+    descends = search.scales().kept_correlation > 0;
+  }
+  m_pace.weight = search.weight() / time;
+  return descends;
+}
+
+std::optional<Spin_result> Scale_bound::step(
+    Spin_transformation& transformation, const Mesh_view& surface, const Eigen::VectorXd& rho,
+    double time, const std::function<bool(const Eigensolver_progress&)>& go_further)
 {
   const Scale_control bounded = control(surface, time * m_pace.retreat);
   std::optional<Period_residual> periods;
@@ -76,10 +94,8 @@ Spin_result Scale_bound::step(Spin_transformation& transformation, const Mesh_vi
     closing.push_back(&periods.emplace(transformation.system().surface(), *loops));
   const Eigen::VectorXd in_frame = transformation.domain().unit() * rho;
   Relaxed_scales search(transformation.system(), in_frame, bounded, closing, options(time));
-  search.restart({search.spins().start(), in_frame, time * m_pace.weight, search.excess()});
-  search.follow(in_frame, go_further);
+  if (!find(search, in_frame, time, go_further)) return std::nullopt;
   if (periods && search.steps() > 0) search.meet_few(true);
-  m_pace.weight = search.weight() / time;
   return transformation.surface_of(search.solution());
 }
 
@@ -99,7 +115,10 @@ Relaxed_scales_options Scale_bound::options(double time)
 void Scale_bound::learn(const Points& positions, double time)
 {
   const double beyond = measured(positions).excess() - 1, safety = .2;
-  const double change = (beyond > 0 ? 1 + safety : 1 - safety) * beyond / time;
+  const double least =
+      Relaxed_scales_options().closeness / 2;  // or it takes many steps to be below
+  const double change =
+      beyond > 0 ? (1 + safety) * beyond / time + least : (1 - safety) * beyond / time;
   m_pace.retreat = (std::max)(0., m_pace.retreat + change);
 }
 

@@ -10,6 +10,7 @@
 #include <Eigen/Core>
 
 #include <functional>
+#include <optional>
 
 namespace Conformal_geometry_processing::internal {
 
@@ -43,19 +44,22 @@ class Scale_bound {
   void set_pace(const Pace& pace) { m_pace = pace; }
 
   /// \brief the surface of spins and a rho' that is as near to rho as the bound, handles and holes
-  /// allow, see `Relaxed_scales`. It tends to the present one with rho and `time`.
+  /// allow, see `Relaxed_scales`. It tends to the present one with rho and `time`. None if that
+  /// rho' opposes rho: along it the energy rises.
   /// \param rho |V|, in 1/length of the mesh
   /// \param time tau by the largest one
   /// \throw Solver_error if a factorization fails
-  Spin_result step(Spin_transformation& transformation, const Mesh_view& surface,
-                   const Eigen::VectorXd& rho, double time,
-                   const std::function<bool(const Eigensolver_progress&)>& go_further);
+  std::optional<Spin_result> step(
+      Spin_transformation& transformation, const Mesh_view& surface, const Eigen::VectorXd& rho,
+      double time, const std::function<bool(const Eigensolver_progress&)>& go_further);
 
   /// takes up how far the lengths of a step were from the bound in the end
   void learn(const Points& positions, double time);
 
  private:
   static Relaxed_scales_options options(double time);
+  bool find(Relaxed_scales& search, const Eigen::VectorXd& rho, double time,
+            const std::function<bool(const Eigensolver_progress&)>& go_further);
 
   Mesh_view m_initial;
   Eigen::VectorXd m_areas;

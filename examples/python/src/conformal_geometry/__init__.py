@@ -22,7 +22,7 @@ from ._matrices import (cotan_laplacian, dirac_energy, dirac_operator, face_area
                         quasi_conformal_errors, vertex_areas)
 from ._reports import (Area_distortion, Class_snap_report, Conformality, Distribution, Enclosure, Flow_report,
                        Flow_step_report, Length_cross_ratio_change, Limits, Mean_and_max,
-                       Mollification, Overlap_summary, Parameterization_report, Realised_curvature,
+                       Mollification, Overlap_summary, Parameterization_report, Place, Realised_curvature,
                        Scales, Spin_report)
 from ._spin import (Dirac_options, Progress, Spin_result, Spin_transformation, minimal_surface,
                     spin_transform)
@@ -40,7 +40,7 @@ __all__ = [
     "Dirac_spectrum", "Class_snap_result", "Delaunay_faces", "Progress", "Spin_report", "Flow_report",
     "Flow_step_report", "Parameterization_report", "Class_snap_report", "Conformality",
     "Distribution", "Enclosure", "Length_cross_ratio_change", "Area_distortion", "Mollification",
-    "Scales", "Realised_curvature", "Overlap_summary", "Mean_and_max", "Limits",
+    "Scales", "Realised_curvature", "Overlap_summary", "Mean_and_max", "Limits", "Place",
     "default_max_scale",
     "Error", "Precondition_error", "Solver_error", "__version__",
 ]

@@ -201,12 +201,22 @@ class Enclosure:
 
 
 @dataclass(frozen=True)
+class Place:
+    """Where a trial of a flow was rejected: the vertex where the reason is largest, the face there that has the
+    least angle, and this angle in radians."""
+    vertex: int
+    face: int
+    angle: float
+
+
+@dataclass(frozen=True)
 class Flow_step_report:
     """The numbers that verify one step of a flow; see Flow_report.h."""
     step: int
     accepted: bool
     stop: Optional[str]
     message: str
+    place: Optional[Place]
     energy_before: float
     energy: float
     energy_of_faces: float
@@ -233,6 +243,7 @@ class Flow_report(Report):
     stop: str
     converged: bool
     message: str
+    place: Optional[Place]
     steps: Tuple[Flow_step_report, ...]
     initial_energy: float
     energy: float
