@@ -46,8 +46,16 @@ def by(row, ours):
     return max(row["energy"] / ours["energy"], row["q_mean"] / ours["q_mean"])
 
 
+def beats(duel, name):
+    return name in duel and by(duel[name], duel["flow"]) < LAW
+
+
 def keeps_law(duel):
-    return all(by(duel[name], duel["flow"]) >= LAW for name in OPPONENTS if name in duel)
+    return not any(beats(duel, name) for name in OPPONENTS)
+
+
+def is_beyond_limits(row):
+    return not (row["q_mean"] <= 1.5 and row["flips"] <= .01 * row["faces"])
 
 
 def median(values):
@@ -55,21 +63,35 @@ def median(values):
     return values[len(values) // 2]
 
 
+def medians(rows):
+    return [f"{median([row[key] / unit for row in rows]):.4g}"
+            for key, unit in (("energy", SPHERE), ("q_mean", 1), ("q_max", 1))]
+
+
 def group_table(rows):
+    """On the faces of the files: ours and the opponents, and how often one has less of both E and Q."""
     lines = []
     for group, name in GROUPS.items():
         some = [duel for duel in duels(rows).values() if duel["flow"]["group"] == group]
-        ours = [duel["flow"] for duel in some]
-        if not some:
-            continue
-        spheres = [duel for duel in some if duel["flow"]["genus"] == 0]
-        lines.append([name, str(len(some)), str(count(some, keeps_law)), str(count(ours, lambda row: row["code"] == 0)),
-                      *(f"{median([duel[method][key] / unit for duel in spheres if method in duel]):.3f}"
-                        for key, unit in (("energy", SPHERE), ("q_mean", 1)) for method in ("flow", "cMCF")),
-                      *(str(sum(row["flips"] for row in part))
-                        for part in (ours, [duel["cMCF"] for duel in some if "cMCF" in duel]))])
-    return table(["meshes", "number", "law kept", "exit 0", "genus 0: E", "cMCF", "Q mean", "cMCF", "flips", "cMCF"],
-                 lines)
+        for method in ("flow", *OPPONENTS):
+            found = [duel[method] for duel in some if method in duel]
+            if not found:
+                continue
+            spheres = [row for row in found if row["genus"] == 0]
+            better = "" if method == "flow" else str(sum(beats(duel, method) for duel in some))
+            lines.append([name, method, str(len(found)), *medians(spheres),
+                          str(sum(row["flips"] for row in found)), better])
+    return table(["meshes", "by", "number", "genus 0: E", "Q mean", "Q max", "flips", "better in both"], lines)
+
+
+def verdicts(rows):
+    ours = [duel["flow"] for duel in duels(rows).values()]
+    verified = [row for row in ours if row["code"] == 0]
+    kept = count(duels(rows).values(), keeps_law)
+    growth = [duel["flow"]["energy"] / duel["before"]["energy"] - 1 for duel in duels(rows).values()]
+    return (f"The law is kept on {kept} of {len(ours)} meshes. Exit 0: {len(verified)}, of which "
+            f"{count(verified, is_beyond_limits)} are beyond a limit of Q or flips. E has grown on "
+            f"{sum(value > 0 for value in growth)}, by {max(0, *growth):.1%} at most.")
 
 
 def cells(row):
@@ -89,7 +111,8 @@ def broken_table(rows):
 
 
 def blocks(rows):
-    return {"flows": flow_table(rows), "groups": group_table(rows), "broken": broken_table(rows)}
+    return {"flows": flow_table(rows), "groups": group_table(rows), "verdicts": verdicts(rows),
+            "broken": broken_table(rows)}
 
 
 def costs(rows):
