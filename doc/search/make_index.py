@@ -13,6 +13,7 @@ import pathlib
 import re
 import shutil
 import sys
+import unicodedata
 
 HERE = pathlib.Path(__file__).resolve().parent
 SCRIPT = '<script src="search.js" defer="defer"></script>\n'
@@ -25,8 +26,9 @@ MOST = 9  # repetitions that count
 
 
 def tokens(text):
-    """Words, and the parts of those that have parts: scale_bound has scale and bound."""
-    for word in WORD.findall(text.lower()):
+    """Words without accents, and the parts of those that have parts: scale_bound has scale and bound."""
+    plain = unicodedata.normalize("NFD", text).translate(dict.fromkeys(range(0x300, 0x370)))
+    for word in WORD.findall(plain.lower()):
         yield word
         parts = [part for part in re.split(r"[^a-z0-9]+", word) if len(part) > 1]
         yield from parts if len(parts) > 1 else ()
@@ -67,8 +69,8 @@ class Page(html.parser.HTMLParser):
             self.end_heading(kind, " ".join("".join(words).replace("◆", "").split()))
 
     def end_heading(self, kind, title):
-        if kind == "title":
-            self.title = title
+        if kind == "title":  # of a class: its name alone
+            self.title = re.sub(r"^(.*::)?(\S+?)(< .* >)? (Struct|Class)( Template)? Reference.*", r"\2", title)
         elif kind == "parameter":
             owner = next((entry for entry in reversed(self.entries) if entry[0] == SYMBOL), None)
             if owner and re.fullmatch(r"\w+", title):

@@ -5,9 +5,10 @@
 
 (() => {
   const most = 12, kinds = ['page', 'section', 'symbol', 'parameter'];
-  const place = ([, , address]) => /^(index|manual_)/.test(address) ? 1.5 : /^group__PkgEntryPoints/.test(address) ? 1.3
-      : /^(class|struct)/.test(address) ? .7
-      : /^(md_doc_(CHANGELOG|errata|developers|fuzzing|mutations))/.test(address) ? .4 : 1;
+  const place = ([kind, , address]) => /^manual_(tools|evidence|thesis)/.test(address) ? .7
+      : /^(index|manual_)/.test(address) ? 1.5 : /^group__PkgEntryPoints/.test(address) ? 1.2
+      : kinds[kind] === 'parameter' ? .4 : /^(class|struct)/.test(address) ? .6
+      : /^(md_doc_(CHANGELOG|errata|developers|fuzzing|mutations|thesis_map))/.test(address) ? .4 : 1;
   let loaded = null, sorted = null;
 
   function load() {
@@ -22,13 +23,14 @@
     return loaded;
   }
 
-  const split = text => text.toLowerCase().replace(/\(\)|cgp::|conformal_geometry_processing::|cgal::/g, ' ')
+  const split = text => text.normalize('NFD').replace(/[\u0300-\u036f]/g, '').toLowerCase()
+      .replace(/\(\)|cgp::|conformal_geometry_processing::|cgal::/g, ' ')
       .match(/[a-z0-9_]+(?:[-.:\/+][a-z0-9_]+)*/g) ?? [];
 
   /** What an entry is found by: a parameter by its own name. */
   const nameOf = ([kind, title]) => split(kinds[kind] === 'parameter' ? title.split(',')[0] : title).join(' ');
 
-  /** The known words that begin so. */
+  /** The known words that begin so; of one letter, this alone. */
   function beginnings(words, begin) {
     let low = 0, high = words.length;
     while (low < high) {
@@ -36,23 +38,31 @@
       if (words[middle] < begin) low = middle + 1;
       else high = middle;
     }
-    const found = [];
-    while (low < words.length && words[low].startsWith(begin)) found.push(words[low++]);
+    const found = [], fits = word => begin.length > 1 ? word.startsWith(begin) : word === begin;
+    while (low < words.length && fits(words[low])) found.push(words[low++]);
     return found;
   }
 
-  /** Other words for the same, and a word without its ending. */
-  const others = {license: 'licence', color: 'colour', gltf: 'glb', unwrap: 'flatten', bound: 'scale_bound'};
+  /** What users type, by the word of the manual for it; and a word without its ending. */
+  const others = Object.fromEntries(Object.entries({
+    licence: 'license lgpl', cite: 'citation bibtex', colour: 'color', flatten: 'unwrap texture uv atlas',
+    formats: 'glb gltf obj ply stl usd usda vtk', scale_bound: 'bound', handles: 'genus',
+    first: 'tutorial getting started',
+    installation: 'docker setup', install: 'pip', packages: 'conda', releases: 'version windows macos', entry: 'api',
+    threads: 'openmp multithreading', npm: 'wasm webassembly javascript', studio: 'sculpt brush',
+    inversions: 'mobius', repair: 'watertight', larger: 'mpi cluster',
+    'quasi-conformal': 'q angle distortion', program: 'cli',
+  }).flatMap(([word, typed]) => typed.split(' ').map(other => [other, word])));
   const stem = word => word.replace(/(ations?|ing|ed|s)$/, '');
 
   /** What the entries are worth for one word. */
   function worths(word) {
     const {titles, texts, entries} = window.searchIndex, worth = new Map();
     const add = (entry, value) => worth.set(entry, Math.max(worth.get(entry) ?? 0, value));
-    const nearness = token => token === word ? 1 : .3 + .5 * word.length / token.length;
+    const nearness = token => token === word ? 1 : token === `${word}s` ? .95 : .2 + .5 * word.length / token.length;
     for (const token of beginnings(sorted.titles, word))
       for (const entry of titles[token])
-        add(entry, 20 * nearness(token) + 12 / nameOf(entries[entry]).split(/[ _]/).length);
+        add(entry, nearness(token) * (20 + 12 / nameOf(entries[entry]).split(/[ _]/).length));
     for (const token of beginnings(sorted.texts, word))
       for (let i = 0; i < texts[token].length; i += 2)
         add(texts[token][i], (2 + 2 * Math.log(texts[token][i + 1])) * nearness(token) * brevity(entries[texts[token][i]]));
@@ -79,7 +89,7 @@
     const found = [...each[0].keys()].filter(entry => each.every(worth => worth.has(entry)));
     const value = entry => {
       const [kind, title] = entries[entry], name = nameOf(entries[entry]).replace(/^the /, ''), page = kinds[kind] === 'page' ? 4 : 0;
-      const exact = name === whole ? 30 : name.startsWith(whole) && !/[ _]/.test(name) ? 20 : name.startsWith(whole) ? 6 : 0;
+      const exact = name === whole ? 30 : stem(name) === stem(whole) ? 20 : name.startsWith(whole) ? 6 : 0;
       return place(entries[entry]) * (exact + page + each.reduce((sum, worth) => sum + worth.get(entry), 0) - .02 * title.length);
     };
     const seen = new Set();
