@@ -3,8 +3,8 @@
 """README, gallery and manual fit the sources: the README's program is the example first_program,
 files in backticks and links exist, links lead to headings that exist, README and doc/ are short, every
 measured page is what its data give, has a picture, and is in the index of evidence with numbers that it
-has, every example and named parameter is in the manual, every picture is shown on a page and drawn by a
-program, and the version is the same everywhere. What is installed was built before.
+has, every example and named parameter is in the manual, every page has a picture, every picture is shown on a
+page and drawn by a program, and the version is the same everywhere. What is installed was built before.
 """
 
 import re
@@ -26,7 +26,10 @@ LONGEST_DOC = 45_000  # words of all pages in doc/, which must not grow again
 LINK = re.compile(r"\]\((?!https?:)([^)#]*)(?:#([^)]+))?\)")
 MEASURED = re.compile(r"(Written by|Measured\W+by|^)\s*`benchmark/\w+`", re.MULTILINE)
 ROW = re.compile(r"^\| \[[^]]+\]\((\w+\.md)\) \| (.*) \|$", re.MULTILINE)
+LISTS = {"CHANGELOG.md", "contents.txt", "developers.md", "errata.md", "parameters.md", "thesis_map.md", "types.txt",
+         "versions.md"}
 VERSIONED = ["doc/CHANGELOG.md", "doc/CITATION.cff", ".cmake/conanfile.py", ".cmake/vcpkg/vcpkg.json"]
+PICTURE = re.compile(r"\]\(figures/|\\cgalFigureBegin|\\image")
 BLOCK = re.compile(r"(?s)```.*?```|\\code.*?\\endcode")
 NUMBER = re.compile(r"(?<![\w.])-?\d[\d,]*(?:\.\d+)*(?:e-?\d+)?")
 
@@ -98,6 +101,14 @@ def named_parameters():
             yield f"doc/named_parameters.txt: without {name}"
 
 
+def pages_without_pictures():
+    """Every page shows what it is about; lists to look things up in need not."""
+    for path in sorted([*DOC.glob("*.md"), *DOC.glob("manual/*.txt")]):
+        text = path.read_text(encoding="utf-8")
+        if path.name not in LISTS and not PICTURE.search(text):
+            yield f"doc/{path.relative_to(DOC)}: a page without a picture"
+
+
 def pictures():
     pages = [*DOC.glob("*.md"), *DOC.glob("manual/*.txt"), sources.ROOT / "README.md"]
     shown = "".join(path.read_text(encoding="utf-8") for path in pages)
@@ -154,6 +165,7 @@ def complaints():
     yield from pages.stale()
     yield from examples()
     yield from named_parameters()
+    yield from pages_without_pictures()
     yield from pictures()
     yield from animation()
     yield from version()
