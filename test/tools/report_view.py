@@ -53,6 +53,13 @@ def check_tiles(page, report, require):
     require(error in page.value("document.querySelector('#remarks').textContent"), "no reason is told")
 
 
+def check_first_screen(page, name, require):
+    """The verdict and both surfaces are seen without scrolling."""
+    height = page.value("innerHeight")
+    ends = page.value("['#tiles li', '.view'].map(e => document.querySelector(e).getBoundingClientRect().bottom)")
+    require(max(ends) <= height, f"{name}: the verdict and the view end at {ends} of {height}")
+
+
 def check_rows(page, require):
     """Tiles are as wide as each other, also those that a row is too short for, and their words in lines."""
     boxes = page.value("[...document.querySelectorAll('#tiles li')].map(tile => (r => [r.width, r.top])"
@@ -116,6 +123,7 @@ def check_head(conformal, chromium, source, require):
                             "--json", report], check=False)
             open_report(page, path, 1200, 800)
             page.save(source.with_name(f"{name}_1200.png"))
+            check_first_screen(page, name, require)
             check_rows(page, require)
             check_tiles(page, json.loads(report.read_text()), require)
             words = page.value("document.querySelector('#asked').textContent")
@@ -125,6 +133,9 @@ def check_head(conformal, chromium, source, require):
                 open_report(page, path, width, height)
                 wide = page.value("document.documentElement.scrollWidth")
                 require(wide <= width, f"{name} is {wide} pixels wide on a phone of {width}")
+                if name == "bent":
+                    page.save(source.with_name(f"first_{width}.png"))
+                    check_first_screen(page, f"{name} at {width}", require)
                 check_room(page, source.with_name(f"{name}_{width}.png"), require)
                 page.value("document.querySelectorAll('details').forEach(e => e.open = true)")
                 wide = page.value("document.documentElement.scrollWidth")
