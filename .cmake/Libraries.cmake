@@ -124,7 +124,11 @@ function(cgp_add_compiled name below)
                         LINKER:--version-script=${PROJECT_SOURCE_DIR}/.cmake/exported_symbols.map)
   endif()
 endfunction()
-set(CGP_LIBRARY_FILES_TOGETHER 12 CACHE STRING "how many files of the libraries are compiled as one")
+set(together 12)
+if(CGP_NEEDED) # once, without changes to follow
+  set(together 40)
+endif()
+set(CGP_LIBRARY_FILES_TOGETHER ${together} CACHE STRING "how many files of the libraries are compiled as one")
 
 include(CheckLinkerFlag)
 set(CMAKE_REQUIRED_QUIET ON)
