@@ -1,7 +1,8 @@
 # Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 """The source distribution has all that building the module reads, and CMake takes it as its pyproject.toml says;
-likewise what Conan's recipe exports."""
+likewise what the recipes for Conan and nix name."""
 
+import json
 import os
 import pathlib
 import re
@@ -74,3 +75,21 @@ def test_cmake_takes_what_the_recipe_for_conan_exports(tmp_path):
     assert len(parts) == 4
     subprocess.run(["cmake", "-S", tmp_path / "sources", "-B", tmp_path / "build",
                     *(f"-DCGP_BUILD_{part}=OFF" for part in parts)], check=True, stdout=subprocess.DEVNULL)
+
+
+# What a recipe for nix is called with, in place of nixpkgs.
+NIXPKGS = """let names = [ "cmake" "cgal" "eigen" "boost" "gmp" "mpfr" ];
+in import %s ({ lib = { cleanSource = toString; licenses.lgpl3Plus = "LGPL-3.0-or-later"; };
+  stdenv.mkDerivation = given: given; } // builtins.listToAttrs (map (name: { inherit name; value = name; }) names))"""
+
+
+@pytest.mark.skipif(not shutil.which("nix-instantiate"), reason="Debian: apt-get install nix-bin")
+def test_cmake_takes_what_the_recipe_for_nix_says(tmp_path):
+    run = subprocess.run(["nix-instantiate", "--store", "dummy://", "--eval", "--strict", "--json", "--expr",
+                          NIXPKGS % (ROOT / ".cmake/package.nix")], check=True, stdout=subprocess.PIPE, text=True,
+                         env={**os.environ, "HOME": str(tmp_path)})
+    recipe = json.loads(run.stdout)
+    assert pathlib.Path(recipe["src"]) == ROOT
+    told = subprocess.run(["cmake", "-S", ROOT, "-B", tmp_path / "build", *recipe["cmakeFlags"]], check=True,
+                          capture_output=True, text=True)
+    assert "not used" not in told.stderr, told.stderr

@@ -28,7 +28,8 @@ MEASURED = re.compile(r"(Written by|Measured\W+by|^)\s*`benchmark/\w+`", re.MULT
 ROW = re.compile(r"^\| \[[^]]+\]\((\w+\.md)\) \| (.*) \|$", re.MULTILINE)
 LISTS = {"CHANGELOG.md", "contents.txt", "developers.md", "errata.md", "parameters.md", "thesis_map.md", "types.txt",
          "versions.md"}
-VERSIONED = ["doc/CHANGELOG.md", "doc/CITATION.cff", ".cmake/conanfile.py", ".cmake/vcpkg/vcpkg.json"]
+VERSIONED = ["doc/CHANGELOG.md", "doc/CITATION.cff", ".cmake/conanfile.py", ".cmake/package.nix",
+             ".cmake/vcpkg/vcpkg.json"]
 PICTURE = re.compile(r"\]\(figures/|\\cgalFigureBegin|\\image")
 BLOCK = re.compile(r"(?s)```.*?```|\\code.*?\\endcode")
 NUMBER = re.compile(r"(?<![\w.])-?\d[\d,]*(?:\.\d+)*(?:e-?\d+)?")
