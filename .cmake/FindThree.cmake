@@ -17,11 +17,12 @@ mark_as_advanced(NPM_EXECUTABLE)
 if(NOT EXISTS ${three_archive})
   file(MAKE_DIRECTORY ${three_folder})
   if(NPM_EXECUTABLE)
-    execute_process(COMMAND ${NPM_EXECUTABLE} pack --silent --fetch-retries=1 three@${Three_VERSION}
+    execute_process(COMMAND ${NPM_EXECUTABLE} pack --loglevel=error --fetch-retries=1 three@${Three_VERSION}
                     WORKING_DIRECTORY ${three_folder} TIMEOUT 120
-                    RESULT_VARIABLE result OUTPUT_QUIET ERROR_QUIET)
+                    RESULT_VARIABLE result OUTPUT_QUIET ERROR_VARIABLE told)
     if(NOT result EQUAL 0 OR NOT EXISTS ${three_archive})
-      set(Three_FAULT "npm could not fetch three ${Three_VERSION}")
+      string(REGEX MATCH "reason: [^\n]*" reason "${told}")
+      set(Three_FAULT "npm could not fetch three ${Three_VERSION}, ${reason}")
     endif()
   else()
     set(Three_FAULT "npm, which fetches three.js, was not found")
