@@ -15,6 +15,7 @@ import numpy as np
 import pytest
 
 import conformal_geometry as cg
+from conformal_geometry.pictures import ring
 from meshes import icosphere
 
 EXAMPLES = pathlib.Path(__file__).parents[2] / "examples/python"
@@ -54,6 +55,37 @@ def test_the_page_reads_corners_with_texture_coordinates_and_normals(tmp_path, m
     exec(programs_of_the_page()[1], found)
     assert np.array_equal(found["V"], [[0, 0, 0], [1, 0, 0], [0, 1, .5], [1, 1, 0]])
     assert np.array_equal(found["F"], [[0, 1, 2], [2, 1, 3]])
+
+
+class Polyscope_stand_in:
+    """As much of polyscope as the page asks for, with the refusals of its sources."""
+
+    def __init__(self):
+        self.shown = None
+
+    def init(self):
+        self.shown = {}
+
+    def register_surface_mesh(self, _name, vertices, faces):
+        assert vertices.shape[1] == 3 and faces.ndim == 2
+        self.vertices, self.faces = len(vertices), len(faces)
+        return self
+
+    def add_scalar_quantity(self, name, values, defined_on="vertices", enabled=None):
+        assert values.shape == ({"vertices": self.vertices, "faces": self.faces}[defined_on],)
+        self.shown[name] = enabled
+
+    def show(self):
+        assert self.shown == {"rho": True, "Q": None}
+
+
+def test_polyscope_takes_what_the_page_gives_it(monkeypatch):
+    window = Polyscope_stand_in()
+    monkeypatch.setitem(sys.modules, "polyscope", window)
+    V, F, angle = ring(40, 12)
+    rho = .3 * np.sin(3 * angle)
+    exec(programs_of_the_page()[2], {"cg": cg, "V": V, "F": F, "rho": rho, "result": cg.spin_transform(V, F, rho)})
+    assert window.shown
 
 
 def test_gradients_fit_a_target():
