@@ -6,13 +6,13 @@ from page.tables import grouped, table
 
 
 def blocks(rows):
-    return {"steps": table(["way", "seconds"], [
-        [way + (", bare" if some[0].get("bare") else ""), "; ".join(step(row) for row in some)]
+    return {"steps": table(["way", "seconds (of the processor)"], [
+        [way + ("" if some[0]["bare"] else ", packages installed"), "; ".join(step(row) for row in some)]
         for (way,), some in grouped(rows, "way").items()])}
 
 
 def step(row):
-    return f"{row['step']} {row['seconds']:.0f}" + (f" ({row['cpu']:.0f})" if "cpu" in row else "")
+    return f"{row['step']} {row['seconds']:.0f} ({row['cpu']:.0f})"
 
 
 def kind(row):
@@ -24,5 +24,5 @@ def figures(rows):
     seconds = {}
     for row in rows:
         way = seconds.setdefault(row["way"], {})
-        way[kind(row)] = way.get(kind(row), 0) + round(row["seconds"])
-    return {"new_user.svg": plot.bars(seconds, "Seconds to the first picture, by way")}
+        way[kind(row)] = way.get(kind(row), 0) + round(row["cpu"])
+    return {"new_user.svg": plot.bars(seconds, "Seconds of the processor to the first picture, by way")}
