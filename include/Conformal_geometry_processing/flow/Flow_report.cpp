@@ -3,7 +3,6 @@
 
 #include <ostream>
 #include <sstream>
-#include <string>
 #include <utility>
 
 namespace Conformal_geometry_processing {

@@ -6,7 +6,6 @@
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 #include <Conformal_geometry_processing/operators/mean_curvature.h>
 
-#include <Eigen/Core>
 #include <Eigen/Geometry>
 
 #include <algorithm>

@@ -3,7 +3,6 @@
 
 namespace Conformal_geometry_processing::internal {
 
-/// \ingroup PkgFlow
 /// \brief the time step of a flow with backtracking: shrinks after failures and grows again.
 ///
 /// Growth by a smaller factor than halving undoes, and only after successes without it, prevents a
