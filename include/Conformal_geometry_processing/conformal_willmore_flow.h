@@ -10,8 +10,6 @@
 #include <Conformal_geometry_processing/flow/Conformal_willmore_flow.h>
 #include <Conformal_geometry_processing/flow/Flow_report.h>
 
-#include <CGAL/number_utils.h>
-
 #include <string>
 #include <utility>
 
@@ -45,11 +43,9 @@ void read_target_areas(const Graph_view<TriangleMesh>& graph, const NamedParamet
                        Flow_options& options)
 {
   if constexpr (has_parameter<NamedParameters, internal_np::vertex_target_area_map_t>) {
-    auto areas = CGAL::parameters::get_parameter(np, internal_np::vertex_target_area_map);
     options.balance = Flow_options::Balance::prescribed;
-    options.target_areas.resize(graph.view().size_of_vertices());
-    for (int v = 0; v < options.target_areas.size(); ++v)
-      options.target_areas[v] = CGAL::to_double(get(areas, graph.vertex(v)));
+    options.target_areas = read_vertex_numbers(
+        graph, CGAL::parameters::get_parameter(np, internal_np::vertex_target_area_map));
   }
 }
 

@@ -8,7 +8,6 @@
 
 #include <CGAL/Dynamic_property_map.h>
 #include <CGAL/boost/graph/properties.h>
-#include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -105,15 +104,10 @@ class Graph_view {
   template <class VertexPointMap, class GeomTraits>
   Points coordinates(VertexPointMap points, const GeomTraits& traits) const
   {
-    const auto x = traits.compute_x_3_object();
-    const auto y = traits.compute_y_3_object();
-    const auto z = traits.compute_z_3_object();
     Points positions(3, static_cast<Eigen::Index>(m_vertices.size()));
-    for (std::size_t v = 0; v < m_vertices.size(); ++v) {
-      const auto& p = get(points, m_vertices[v]);
-      positions.col(static_cast<Eigen::Index>(v)) << CGAL::to_double(x(p)), CGAL::to_double(y(p)),
-          CGAL::to_double(z(p));
-    }
+    for (std::size_t v = 0; v < m_vertices.size(); ++v)
+      positions.col(static_cast<Eigen::Index>(v)) =
+          internal::coordinates_of(get(points, m_vertices[v]), traits);
     return positions;
   }
 

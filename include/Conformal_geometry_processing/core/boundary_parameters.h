@@ -48,15 +48,10 @@ template <class TriangleMesh, class Map, class GeomTraits>
 Points read_points(const Graph_view<TriangleMesh>& graph, const std::vector<int>& vertices, Map map,
                    const GeomTraits& traits)
 {
-  const auto x = traits.compute_x_3_object();
-  const auto y = traits.compute_y_3_object();
-  const auto z = traits.compute_z_3_object();
   Points points(3, static_cast<Eigen::Index>(vertices.size()));
-  for (std::size_t k = 0; k < vertices.size(); ++k) {
-    const auto& p = get(map, graph.vertex(vertices[k]));
-    points.col(static_cast<Eigen::Index>(k)) << CGAL::to_double(x(p)), CGAL::to_double(y(p)),
-        CGAL::to_double(z(p));
-  }
+  for (std::size_t k = 0; k < vertices.size(); ++k)
+    points.col(static_cast<Eigen::Index>(k)) =
+        coordinates_of(get(map, graph.vertex(vertices[k])), traits);
   return points;
 }
 

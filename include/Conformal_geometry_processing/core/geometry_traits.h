@@ -40,6 +40,15 @@ template <class GeomTraits>
 inline constexpr bool is_conformal_geometry_traits =
     Is_conformal_geometry_traits<GeomTraits>::value;
 
+/// The coordinates of a point, from the traits
+template <class Point, class GeomTraits>
+Eigen::Vector3d coordinates_of(const Point& p, const GeomTraits& traits)
+{
+  return {CGAL::to_double(traits.compute_x_3_object()(p)),
+          CGAL::to_double(traits.compute_y_3_object()(p)),
+          CGAL::to_double(traits.compute_z_3_object()(p))};
+}
+
 /// Returns a readable map of the points of the vertices
 template <class TriangleMesh, class NamedParameters>
 auto vertex_points(const TriangleMesh& mesh, const NamedParameters& np)

@@ -127,11 +127,8 @@ std::vector<Control_point> read_control_points(const Graph_view<TriangleMesh>& g
   std::size_t k = 0;
   for (const auto& [where, to] : targets) {
     if constexpr (std::is_convertible_v<decltype(where), Vertex>) {
-      const Eigen::Vector3d target(CGAL::to_double(traits.compute_x_3_object()(to)),
-                                   CGAL::to_double(traits.compute_y_3_object()(to)),
-                                   CGAL::to_double(traits.compute_z_3_object()(to)));
-      points.push_back(
-          control_point(index_of<TriangleMesh, Vertex>(graph, where, k, function), target));
+      points.push_back(control_point(index_of<TriangleMesh, Vertex>(graph, where, k, function),
+                                     coordinates_of(to, traits)));
     } else {
       std::vector<int> region;
       for (const Vertex& v : where) region.push_back(index_of(graph, v, k, function));
