@@ -130,8 +130,10 @@ void tell_shape(const Flow_solution& solution, const CGP::Mesh_view& initial, Re
 /// what the flow has measured on the triangulation that it uses, where that is another
 void tell_triangulation(const CGP::Flow_report& flow, Report& report)
 {
-  const CGP::Conformality& map = flow.conformality;
-  if (map.quasi_conformal.max == flow.conformality_of_faces.quasi_conformal.max) return;
+  const CGP::Conformality &map = flow.conformality, &of_faces = flow.conformality_of_faces;
+  const bool is_same = flow.energy == flow.energy_of_faces &&
+                       map.length_cross_ratio.max == of_faces.length_cross_ratio.max;
+  if (is_same) return;
   const std::string place = "result/triangulation";
   report.set(place + "/energy/initial", flow.initial_energy);
   report.set(place + "/energy/final", flow.energy);
