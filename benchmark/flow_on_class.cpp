@@ -7,6 +7,7 @@
 ///
 /// Meshes are closed and have the area 4 pi. Times are seconds of the processor.
 #include <Conformal_geometry_processing/flow/Conformal_willmore_flow.h>
+#include <Conformal_geometry_processing/mesh/topology.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -73,7 +74,9 @@ void run_flow(const CGP::Mesh_view& mesh, Record& record)
   const double end = cpu_seconds();
   for (int i = 0; i < 5; ++i) poisson.measure(flow.initial_mesh());
   const double P = poisson.total;
+  record.add("faces", mesh.size_of_faces()).add("genus", CGP::topology(mesh).genus);
   record.add("poisson", P).add("steps", static_cast<int>(recorder.seconds.size()));
+  record.add("seconds", end - begin).add("energy", flow.energy());
   record.add("construction", (constructed - begin) / P).add("finish", (end - recorder.begin) / P);
   record.add("cross_ratio", recorder.cross_ratio);
   add_steps(recorder.seconds, P, record);

@@ -110,9 +110,16 @@ def broken_table(rows):
     return table(["mesh", "genus", "E before", *heads, "the flow stopped by"], lines) if lines else "None."
 
 
+def handles_table(rows):
+    lines = [[f"{row['mesh']}, {row['faces']:,} faces", str(row["genus"]), f"{row['seconds']:.2f}",
+              *(f"{row[key]:.1f}" for key in ("step", "late_step"))]
+             for row in of_table(rows, "cost") if row.get("genus", 0) > 0]
+    return table(["mesh", "genus", "CPU s", "P a step", "late"], lines)
+
+
 def blocks(rows):
     return {"flows": flow_table(rows), "groups": group_table(rows), "verdicts": verdicts(rows),
-            "broken": broken_table(rows)}
+            "broken": broken_table(rows), "handles": handles_table(rows)}
 
 
 def costs(rows):

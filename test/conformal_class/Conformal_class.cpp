@@ -7,6 +7,7 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
@@ -134,6 +135,67 @@ TEST(Conformal_class, is_reached_again_with_the_factor_at_hand)
   EXPECT_TRUE(again.converged);
   EXPECT_EQ(again.factorizations, 0);
   EXPECT_LT(change(mesh, g), 1e-10);
+}
+
+TEST(Conformal_class, is_reached_with_a_factor_from_afar_where_a_new_one_leads)
+{
+  // The steps with the old factor take away a part of what is left in each; together they arrive.
+  for (const Mesh_view& mesh : {bumpy_sphere(3), irregular_torus(2, 1, 24, 12)}) {
+    Conformal_class conformal_class(mesh);
+    CGP::internal::Snap_options options;
+    options.keep_factor = true;
+    Points f = stretched(mesh, 1.1), g = stretched(mesh, 1.15);
+    (void)conformal_class.snap(f, options);
+    const auto report = conformal_class.snap(g, options);
+    EXPECT_TRUE(report.converged);
+    EXPECT_EQ(report.factorizations, 0);
+    EXPECT_LT(change(mesh, g), 1e-10);
+    const Points directly = snapped(mesh, stretched(mesh, 1.15));
+    EXPECT_LT((g - directly).norm(), .1 * (directly - stretched(mesh, 1.15)).norm());
+  }
+}
+
+/// residuals that depend linearly on a surface of two vertices
+struct Linear_residuals {
+  Eigen::MatrixXd A = Eigen::MatrixXd::Random(12, 8);
+  Eigen::VectorXd b = Eigen::VectorXd::Random(12);
+
+  CGP::internal::Snap_state at(const Eigen::VectorXd& x) const
+  {
+    return {x.head(6).reshaped(3, 2), x.tail(2), A * x + b};
+  }
+};
+
+Eigen::VectorXd unknowns(const CGP::internal::Snap_state& state)
+{
+  Eigen::VectorXd x(8);
+  x << state.f.reshaped(), state.u;
+  return x;
+}
+
+TEST(Snap_history, leaves_of_linear_residuals_what_no_combination_of_the_last_five_steps_removes)
+{
+  const Linear_residuals linear;
+  CGP::internal::Snap_history history;
+  auto state = linear.at(Eigen::VectorXd::Random(8));
+  EXPECT_EQ(unknowns(history.extrapolated(state)), unknowns(state));
+  Eigen::MatrixXd changes(12, 7);
+  for (int k = 0; k < changes.cols(); ++k) {
+    const auto next = linear.at(unknowns(state) + Eigen::VectorXd::Random(8));
+    history.add(state, next);
+    changes.col(k) = next.residuals - state.residuals;
+    state = next;
+    const auto best = history.extrapolated(state);
+    EXPECT_LT((linear.at(unknowns(best)).residuals - best.residuals).norm(), 1e-9);
+    EXPECT_LT(best.residuals.norm(), state.residuals.norm());
+    for (int j = (std::max)(0, k - 4); j <= k; ++j)
+      EXPECT_NEAR(best.residuals.dot(changes.col(j)), 0, 1e-9);
+    if (k > 4) {
+      EXPECT_GT(std::abs(best.residuals.dot(changes.col(k - 5))), 1e-6);
+    }
+  }
+  history.forget();
+  EXPECT_EQ(unknowns(history.extrapolated(state)), unknowns(state));
 }
 
 TEST(Conformal_class, needs_no_more_steps_than_the_tolerance_asks_for)

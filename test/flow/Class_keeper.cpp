@@ -113,8 +113,7 @@ TEST(Class_keeper, gives_up_where_nothing_is_better)
   EXPECT_EQ(trials, 3);
 }
 
-// Trials that are refused take as long as others: the same one is not made twice in a row, and
-// where nothing is better, fewer and fewer steps look for it.
+// Trials that are refused take as long as others: the same one is not made twice in a row.
 TEST(Class_keeper, tries_the_weakest_smoothing_once)
 {
   const Mesh_view mesh = bumpy_sphere(2);
@@ -125,24 +124,6 @@ TEST(Class_keeper, tries_the_weakest_smoothing_once)
     return count;
   };
   for (const int count : {3, 3, 1, 1}) EXPECT_EQ(trials(), count);
-}
-
-TEST(Class_keeper, rests_ever_longer_until_a_smoothing_succeeds)
-{
-  const Mesh_view mesh = bumpy_sphere(2);
-  Class_keeper keeper(mesh);
-  const auto rest_after = [&](bool is_better) {
-    (void)keeper.smoothed(mesh, [&](const Points&) { return is_better; });
-    int steps = 0;
-    while (keeper.rests()) ++steps;
-    return steps;
-  };
-  for (const int steps : {0, 1, 2, 4, 8}) EXPECT_EQ(rest_after(false), steps);
-  EXPECT_EQ(rest_after(true), 0);
-  for (const int steps : {0, 1}) EXPECT_EQ(rest_after(false), steps);
-  (void)keeper.smoothed(mesh, [](const Points&) { return false; });
-  keeper.wake();
-  EXPECT_FALSE(keeper.rests());
 }
 
 }  // namespace cgp_test::class_keeper_tests

@@ -40,6 +40,26 @@ Eigen::VectorXd exact_wave(Transformation& transformation, double amplitude)
   return transformation.exactness(On::vertices).basis().project_out(rho);
 }
 
+TEST(Period_residual, has_gradients_by_the_axes_that_are_those_by_one_times_units)
+{
+  for (const Mesh_view& mesh : surfaces_with_loops()) {
+    Transformation transformation(mesh);
+    const auto& exactness = transformation.exactness(On::vertices);
+    CGP::internal::Period_residual periods(transformation.system().surface(), exactness);
+    periods.set_spins(random_quaternions(mesh.size_of_vertices(), 3));
+    const auto G = CGP::internal::gradients_of({&periods}, mesh.size_of_vertices());
+    const Eigen::Index loops = exactness.forms->size();
+    ASSERT_EQ(G.cols(), 3 * loops);
+    for (Eigen::Index k = 0; k < loops; ++k)
+      for (Eigen::Index v = 0; v < G.rows(); ++v) {
+        const Quaternion<double> of_x = G(v, k) * Quaternion<double>{0, -1, 0, 0};
+        EXPECT_LT(norm(of_x * Quaternion<double>{0, 0, 1, 0} - G(v, loops + k)), 1e-9 * norm(of_x));
+        EXPECT_LT(norm(of_x * Quaternion<double>{0, 0, 0, 1} - G(v, 2 * loops + k)),
+                  1e-9 * norm(of_x));
+      }
+  }
+}
+
 /// a step by an exact wave, closed up to a limit
 CGP::Spin_result wave(const Mesh_view& mesh, double amplitude, double limit)
 {

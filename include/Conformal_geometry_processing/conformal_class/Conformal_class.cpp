@@ -4,7 +4,44 @@
 #include <Conformal_geometry_processing/operators/vertex_graph.h>
 #include <Quaternionic_linear_algebra/exceptions.h>
 
+#include <Eigen/QR>
+#include <cmath>
+
 namespace Conformal_geometry_processing {
+
+void internal::Snap_history::forget()
+{
+  m_changes.resize(0, 0);
+  m_changes_of_residuals.resize(0, 0);
+}
+
+void internal::Snap_history::add(const Snap_state& from, const Snap_state& to)
+{
+  const Eigen::Index most = 5;
+  Eigen::VectorXd change(4 * from.u.size());
+  change << (to.f - from.f).reshaped(), to.u - from.u;
+  const auto append = [&](Eigen::MatrixXd& columns, const Eigen::VectorXd& column) {
+    if (columns.cols() == most)
+      columns.leftCols(most - 1) = columns.rightCols(most - 1).eval();
+    else
+      columns.conservativeResize(column.size(), columns.cols() + 1);
+    columns.rightCols(1) = column;
+  };
+  append(m_changes, change);
+  append(m_changes_of_residuals, to.residuals - from.residuals);
+}
+
+auto internal::Snap_history::extrapolated(Snap_state state) const -> Snap_state
+{
+  if (m_changes.cols() == 0) return state;
+  const Eigen::VectorXd shares =
+      m_changes_of_residuals.colPivHouseholderQr().solve(state.residuals);
+  const Eigen::VectorXd change = m_changes * shares;
+  state.f -= change.head(state.f.size()).reshaped(3, state.f.cols());
+  state.u -= change.tail(state.u.size());
+  state.residuals -= m_changes_of_residuals * shares;
+  return state;
+}
 
 internal::Conformal_class::Conformal_class(const Mesh_view& mesh)
     : m_equations(mesh, *vertex_graph(mesh))
@@ -35,18 +72,27 @@ Eigen::VectorXd internal::Conformal_class::residuals(const Points& f,
 
 bool internal::Conformal_class::advance(State& state, double factor, int halvings) const
 {
+  const Snap_state from = state.history.extrapolated(state);
   Points df;
   Eigen::VectorXd du;
-  m_equations.solve(state.residuals, df, du);
+  m_equations.solve(from.residuals, df, du);
   const double limit = factor * state.residuals.norm();
   for (double t = 1; halvings >= 0; t /= 2, --halvings) {
-    State next{state.f + t * df, state.u + t * du, {}};
+    Snap_state next{from.f + t * df, from.u + t * du, {}};
     next.residuals = residuals(next.f, next.u);
     if (!(next.residuals.norm() < limit)) continue;  // also if it is not a number
-    state = std::move(next);
+    state.history.add(state, next);
+    static_cast<Snap_state&>(state) = std::move(next);
     return true;
   }
   return false;
+}
+
+// A factor costs about as much as a dozen steps.
+double internal::Conformal_class::most_left(double residual, const Snap_options& options)
+{
+  const double steps = 12, slowest = .8;
+  return (std::min)(std::pow(options.tolerance / residual, 1 / steps), slowest);
 }
 
 bool internal::Conformal_class::factorize(const Points& f, bool is_needed)
@@ -60,15 +106,12 @@ bool internal::Conformal_class::factorize(const Points& f, bool is_needed)
   }
 }
 
-// Newton's method has a basin: outside of it, the first step takes little away. The next factor
-// would serve as badly as the first where that has taken little.
+// Newton's method has a basin: outside of it, the first step takes little away.
 bool internal::Conformal_class::iterate(State& state, const Snap_options& options,
                                         Snap_report& report)
 {
-  const double fast = .2;      // a step with an old factor leaves at most so much of the residuals,
-  const double good = .15;     // the first with one that is to be used again so much,
-  const double outside = .37;  // and one outside of the basin more than that
-  const double is_near = 1e-6;  // a new factor that gains less there is damped too much
+  const double outside = .37;  // a step outside of the basin leaves more of the residuals
+  const double is_near = 1e-6, fast = .2;  // a factor that leaves more there is damped too much
   const bool is_new = !state.has_factor;
   if (is_new && report.residual < is_near &&
       report.residual < m_equations.scales().rounding(state.f))
@@ -76,14 +119,15 @@ bool internal::Conformal_class::iterate(State& state, const Snap_options& option
   if (is_new && !factorize(state.f, report.residual > options.enough())) return false;
   report.factorizations += is_new;
   ++report.iterations;
-  const double norm = state.residuals.norm();
-  state.has_factor = is_new ? advance(state, 1, 8) : advance(state, fast, 0);
+  const double norm = state.residuals.norm(), most = most_left(report.residual, options);
+  if (is_new) state.history.forget();
+  state.has_factor = is_new ? advance(state, 1, 8) : advance(state, most, 0);
   if (is_new && !state.has_factor && !m_equations.damp()) return false;
   const double before = std::exchange(report.residual, state.residuals.lpNorm<Eigen::Infinity>());
   if (!is_new) return true;
   const double rest = state.residuals.norm() / norm;
   if (options.only_near && rest > outside && report.residual > options.enough()) return false;
-  state.has_factor = state.has_factor && rest < good;
+  state.has_factor = state.has_factor && rest < most;
   if (report.residual < is_near && report.residual > fast * before)
     m_equations.undamp(), state.has_factor = false;
   return true;
@@ -93,7 +137,9 @@ internal::Snap_report internal::Conformal_class::snap(Points& f, const Snap_opti
 {
   const int few = 5;
   const double damping = m_equations.damping();
-  State state{f, m_equations.scales().nearest_scales(f), {}};
+  State state;
+  state.f = f;
+  state.u = m_equations.scales().nearest_scales(f);
   state.residuals = residuals(f, state.u);
   Snap_report report;
   report.initial_residual = report.residual = state.residuals.lpNorm<Eigen::Infinity>();

@@ -29,6 +29,32 @@ struct Snap_options {
   double enough() const { return (std::max)(tolerance, sufficient); }
 };
 
+/// a surface, its log scales, and the residuals of both
+struct Snap_state {
+  Points f;
+  Eigen::VectorXd u, residuals;
+};
+
+/// \brief The last steps with one factor: what of the residuals their changes explain need not be
+/// solved for [Anderson 1965].
+///
+/// A factor of a surface nearby leaves a part of the residuals in each step, nearly the same linear
+/// one; the combination of the steps that would have left least of them leaves its square, or less.
+class Snap_history {
+ public:
+  void forget();
+
+  /// adds the change from one state to the next; forgets the oldest of more than five
+  void add(const Snap_state& from, const Snap_state& to);
+
+  /// \brief the state, changed by the combination of the steps that leaves least of the residuals;
+  /// these are what that leaves to first order.
+  Snap_state extrapolated(Snap_state state) const;
+
+ private:
+  Eigen::MatrixXd m_changes, m_changes_of_residuals;  // one column for each step: f and u
+};
+
 /// The numbers that verify a snap
 struct Snap_report {
   bool converged = false;                     ///< `residual` is within the tolerance, or enough
@@ -57,11 +83,12 @@ class Conformal_class {
   /// \brief Moves a surface into the class by Gauss-Newton steps of least change, see
   /// `Snap_equations`; a step that does not lower the residuals is halved.
   ///
-  /// A factor is used as long as the residuals fall by four fifths in each step; near the class
-  /// that is to the end. Where rounding of the positions alone makes residuals as large as these,
-  /// no other is made: edges may be shorter than the surface by so much that the class cannot be
-  /// reached any better. Commutes with motions and scalings of f. Each factorization costs about
-  /// twice that of the complex Dirac matrix.
+  /// A factor is used as long as the residuals fall so fast that it leads there in no more steps
+  /// than a new one costs; near the class that is to the end. What the steps with it have changed
+  /// accelerates the next ones, see `Snap_history`. Where rounding of the positions alone makes
+  /// residuals as large as these, no other is made: edges may be shorter than the surface by so
+  /// much that the class cannot be reached any better. Commutes with motions and scalings of f.
+  /// Each factorization costs about twice that of the complex Dirac matrix.
   /// \param f 3 x |V|; unchanged where the residual is within the tolerance from the start. Without
   /// convergence, the nearest surface found
   /// \throw Solver_error if a factorization fails, or an edge of f has length zero
@@ -72,11 +99,9 @@ class Conformal_class {
   void set_state(Snap_equations::State state) { m_equations.set_state(std::move(state)); }
 
  private:
-  /// a surface, its log scales, and the residuals of both
-  struct State {
-    Points f;
-    Eigen::VectorXd u, residuals;
+  struct State : Snap_state {
     bool has_factor = false;  ///< the last factor is to be used again
+    Snap_history history;     ///< of its steps
   };
 
   /// \brief Makes a new factor.
@@ -87,6 +112,9 @@ class Conformal_class {
   /// \returns whether the norm of the residuals fell below the multiple `factor` of itself; the
   /// state is unchanged otherwise
   bool advance(State& state, double factor, int halvings) const;
+
+  /// what a step may leave of the residuals if a factor is to be used again
+  static double most_left(double residual, const Snap_options& options);
 
   /// \brief One iteration of `snap()`: a step with the last factor, or a new one.
   /// \returns false where no further one is of use

@@ -76,7 +76,8 @@ internal::Class_keeper::Class_keeper(const Mesh_view& initial, const Boundary_co
       m_initial(initial.positions() / m_unit, initial.corners()),
       m_boundary(boundary),
       m_class(m_initial),
-      m_fairing(m_initial, held_vertices(m_initial, boundary))
+      m_fairing(m_initial, held_vertices(m_initial, boundary)),
+      m_strength(1e6, 2.5e-3, 2, 2)
 {}
 
 void internal::Class_keeper::keep_directions(const Points& f)
@@ -126,24 +127,22 @@ void internal::Class_keeper::take(Points moved, Points& f) const
 std::optional<Points> internal::Class_keeper::smoothed(
     const Mesh_view& mesh, const std::function<bool(const Points&)>& is_better)
 {
-  const double weakest = 2.5e-3;
   const int trials = 3;
   Points f;
   for (int trial = 1; trial <= trials; ++trial) {
     if (try_smoothing(mesh, trial < trials, is_better, f)) {
-      m_smoothing.succeed();
+      m_strength.grow();
       return f;
     }
-    if (m_smoothing.strength <= weakest) break;
-    m_smoothing.strength = (std::max)(m_smoothing.strength / 4, weakest);
+    if (!m_strength.halve()) break;
+    (void)m_strength.halve();
   }
-  m_smoothing.fail();
   return std::nullopt;
 }
 
 void internal::Class_keeper::set_state(const State& state)
 {
-  m_smoothing = state.smoothing;
+  m_strength = state.strength;
   m_class.set_state(state.snap);
 }
 
@@ -155,7 +154,7 @@ bool internal::Class_keeper::try_smoothing(const Mesh_view& mesh, bool only_near
     Mesh_view present = m_initial;
     present.set_positions(mesh.positions() / m_unit);
     keep_directions(present.positions());
-    f = m_unit * m_fairing(present, m_smoothing.strength);
+    f = m_unit * m_fairing(present, m_strength.value());
     return snap_to_kept(f, only_near) && is_better(f);
   } catch (const Solver_error& error) {
     if (is_out_of_memory(error)) throw;

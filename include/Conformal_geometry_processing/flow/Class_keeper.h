@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Conformal_geometry_processing/conformal_class/Conformal_class.h>
+#include <Conformal_geometry_processing/flow/Step_control.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 #include <Conformal_geometry_processing/spin/Boundary_condition.h>
 #include <Quaternionic_linear_algebra/algebra/Hermitian_sparse_matrix.h>
@@ -66,21 +67,9 @@ class Fairing {
 /// lead them back to the first, or to the prescribed ones.
 class Class_keeper {
  public:
-  /// \brief How strong the next smoothing is, and how many steps are to go without one.
-  ///
-  /// Where nothing is left to be smoothed, surfaces change little, and what is refused once is
-  /// refused again: after the second refusal in a row there is a step without, then twice as many.
-  struct Smoothing {
-    double strength = 2;
-    int rest = 0, next_rest = 0;
-
-    void succeed() { strength *= 2, next_rest = 0; }
-    void fail() { rest = next_rest, next_rest = next_rest > 0 ? 2 * next_rest : 1; }
-  };
-
   /// what a step depends on beside its surface
   struct State {
-    Smoothing smoothing;
+    Time_step strength;
     Snap_equations::State snap;
   };
 
@@ -102,19 +91,14 @@ class Class_keeper {
   /// \throw Solver_error if a factorization fails
   void polish(Points& f);
 
-  /// whether the next step does without smoothing; it counts as one
-  bool rests() { return m_smoothing.rest > 0 && m_smoothing.rest-- > 0; }
-  /// ends the steps without smoothing
-  void wake() { m_smoothing.rest = 0; }
-
   /// \brief a smoother surface of the class that is better; the strength is quartered until it is,
-  /// at most twice, and doubled for the next call.
+  /// at most twice, and grows for the next calls.
   /// \param is_better whether a surface is to be taken
   /// \throw Solver_error if memory runs out; other failures count as a surface that is not better
   std::optional<Points> smoothed(const Mesh_view& mesh,
                                  const std::function<bool(const Points&)>& is_better);
 
-  State state() const { return {m_smoothing, m_class.state()}; }
+  State state() const { return {m_strength, m_class.state()}; }
   void set_state(const State& state);
 
  private:
@@ -131,7 +115,7 @@ class Class_keeper {
   Boundary_condition m_boundary;
   Conformal_class m_class;
   Fairing m_fairing;
-  Smoothing m_smoothing;
+  Time_step m_strength;  // of the next smoothing
 };
 
 }  // namespace Conformal_geometry_processing::internal

@@ -368,7 +368,7 @@ void Conformal_willmore_flow::accept(Flow_step_report& report, bool was_filling)
   ++m_steps;
   report.accepted = true;
   report.energy = m_energy;
-  report.energy_of_faces = energy_of_faces(positions());
+  report.energy_of_faces = written_energy();
   report.message.clear();
   report.place = {};
   if (was_filling) m_energy_of_input = report.energy_of_faces;  // that of another volume

@@ -10,7 +10,7 @@
 #include <Conformal_geometry_processing/flow/Flow_report.h>
 #include <Conformal_geometry_processing/flow/Refusal.h>
 #include <Conformal_geometry_processing/flow/Scale_bound.h>
-#include <Conformal_geometry_processing/flow/Time_step.h>
+#include <Conformal_geometry_processing/flow/Step_control.h>
 #include <Conformal_geometry_processing/flow/Volume_constraint.h>
 #include <Conformal_geometry_processing/measure/Conformality.h>
 #include <Conformal_geometry_processing/measure/energies.h>
@@ -83,9 +83,9 @@ std::string step_fault(const Spin_report& report, bool is_turning, bool is_exact
 ///
 /// Ordering and symbolic factorization are computed once, in the constructor. A trial costs one
 /// numeric factorization of the Dirac matrix and about ten solves with it; if its edges have to be
-/// closed, three more solves for each loop. The way back to the class costs one to three
-/// factorizations of about twice its operations in the beginning, and solves only where a step
-/// changes little.
+/// closed, one more solve for each loop. With handles, a step begins with a factorization for rho =
+/// 0 and about four solves for each loop. The way back to the class costs a factorization of about
+/// twice the operations where the surface has moved far, and solves only where it has not.
 ///
 /// \tparam Direction a model of `CurvatureDirection`
 class Conformal_willmore_flow {
@@ -108,7 +108,7 @@ class Conformal_willmore_flow {
   /// energy on these faces by more than 5 %. The surface is then off its exact class by as much.
   Points positions() const
   {
-    return m_steps == 0 ? m_mesh.positions() : written(m_mesh.positions());
+    return m_steps == 0 ? m_mesh.positions() : written(m_mesh.positions()).positions;
   }
 
   /// the initial surface of the flow, of the same connectivity
@@ -166,7 +166,7 @@ class Conformal_willmore_flow {
     internal::Stopwatch watch;
     Flow_report report;
     report.initial_energy = m_energy;
-    report.initial_energy_of_faces = energy_of_faces(positions());
+    report.initial_energy_of_faces = written_energy();
     m_visits.during([&] { visitor.on_flow_begin(m_mesh, m_energy); });
     while (report.stop == Flow_step_report::Stop::none) {
       if (static_cast<int>(report.steps.size()) >= m_options.max_steps)
@@ -198,7 +198,8 @@ class Conformal_willmore_flow {
     Points positions;
     double energy;
     internal::Time_step time_step;
-    internal::Class_keeper::State keeper;
+    internal::Pause smoothing;
+    std::optional<internal::Class_keeper::State> keeper;
     internal::Scale_bound::Pace pace;
   };
 
@@ -223,11 +224,21 @@ class Conformal_willmore_flow {
   /// `mesh()` at `positions()`
   Mesh_view shown() const;
 
-  /// see `positions()`
-  Points written(const Points& positions) const;
+  /// what is written of a surface of the flow, see `positions()`, with its `energy_of_faces()`
+  struct Written {
+    Points found, positions;
+    double energy;
+  };
+  const Written& written(const Points& found) const;
+  void settle(Written& result) const;
 
-  /// on the faces of the input; with mollification on those of the flow, as faces without area have
-  /// no curvature
+  /// of `positions()`
+  double written_energy() const
+  {
+    return m_steps == 0 ? energy_of_faces(m_mesh.positions()) : written(m_mesh.positions()).energy;
+  }
+
+  /// on the faces of the input where these are judged, otherwise on those of the flow
   double energy_of_faces(const Points& positions) const;
 
   /// \brief why a surface, whose map is known, is beyond limits, or on the faces of the input
@@ -250,8 +261,12 @@ class Conformal_willmore_flow {
   // A single type for all visitors, so that the eigensolver is compiled only once.
   using Go_further = std::function<bool(const Eigensolver_progress&)>;
 
-  /// Smooths the surface, transforms it, and accepts the step if one of the two succeeded.
+  /// \brief Smooths the surface, transforms it, and accepts the step if one of the two succeeded.
+  ///
+  /// On closed surfaces, smoothing pauses for a few steps where it gains less than the
+  /// transformation, for it costs as much; with a boundary, where it fails.
   void take_step(Flow_step_report& report, const Go_further& go_further);
+  void transform(Flow_step_report& report, const Go_further& go_further);
 
   /// Smooths the surface within its class; \returns whether that lowered the energy.
   bool fair(Flow_step_report& report);
@@ -361,6 +376,7 @@ class Conformal_willmore_flow {
   Mesh_view m_initial, m_mesh, m_next;            // m_next: workspace for trials
   std::optional<Mesh_view> m_faces;               // of the input, where the flow has others
   std::optional<internal::Face_filter> m_filter;  // of the input
+  mutable std::optional<Written> m_written;       // asked for last
   Spin_transformation m_transformation;
   std::optional<internal::Class_keeper> m_class;  // if the exact class is kept
   std::optional<internal::Well_shaped_faces>
@@ -372,6 +388,7 @@ class Conformal_willmore_flow {
   bool m_is_bounded = false;  // the last step has met it
   double m_initial_energy, m_energy, m_energy_of_input;
   internal::Time_step m_time_step;
+  internal::Pause m_smoothing_pause;
   Spin_report::Mollification m_mollification;  // on the exact class
   int m_steps = 0;
 };

@@ -53,14 +53,23 @@ void Conformal_willmore_flow::make_filter()
   }
 }
 
-Points Conformal_willmore_flow::written(const Points& positions) const
+auto Conformal_willmore_flow::written(const Points& found) const -> const Written&
 {
-  if (!m_filter) return positions;
+  const bool has_energy = !m_options.surface.mollification;  // else that of the flow, of any points
+  if (has_energy && m_written && m_written->found == found) return *m_written;
+  m_written = Written{found, found, energy_of_faces(found)};
+  if (m_filter) settle(*m_written);
+  return *m_written;
+}
+
+void Conformal_willmore_flow::settle(Written& result) const
+{
   const double error = .05;  // of good faces
-  Points settled = m_filter->settled(positions);
-  const bool is_smoother = energy_of_faces(settled) < (1 - error) * energy_of_faces(positions);
-  const auto fault = [&] { return map_to(faces(), settled).fault(m_options.surface.limits.map); };
-  return is_smoother && fault() == Conformality::Fault::none ? settled : positions;
+  Points settled = m_filter->settled(result.found);
+  const double energy = energy_of_faces(settled);
+  if (!(energy < (1 - error) * result.energy)) return;
+  const auto fault = map_to(faces(), settled).fault(m_options.surface.limits.map);
+  if (fault == Conformality::Fault::none) result = {result.found, std::move(settled), energy};
 }
 
 Mesh_view Conformal_willmore_flow::shown() const
@@ -91,16 +100,16 @@ internal::Refusal Conformal_willmore_flow::beyond(const Conformality& map,
   }
   if (!m_faces) return {};
   const std::string where = " on the faces of the input, which are not Delaunay";
-  const Points positions = written(found);
-  Refusal of_faces = internal::beyond_limits(*m_faces, positions, map_to(*m_faces, positions),
-                                             m_options.surface.limits.map);
+  const Written& result = written(found);
+  Refusal of_faces = internal::beyond_limits(
+      *m_faces, result.positions, map_to(*m_faces, result.positions), m_options.surface.limits.map);
   if (of_faces) return {of_faces.reason + where, of_faces.measure};
   if (m_options.surface.mollification) return {};
   const double error = .01;  // of the energy on such faces
-  const double rise = energy_of_faces(positions) - m_energy_of_input;
+  const double rise = result.energy - m_energy_of_input;
   if (!(rise > forbidden_rise() + error * m_energy_of_input)) return {};
   Mesh_view after = *m_faces;
-  after.set_positions(positions);
+  after.set_positions(result.positions);
   return {"the energy rises" + where, internal::energy_growth(in_frame(*m_faces), in_frame(after))};
 }
 
@@ -112,9 +121,31 @@ bool Conformal_willmore_flow::fairs() const
 
 void Conformal_willmore_flow::take_step(Flow_step_report& report, const Go_further& go_further)
 {
+  using Stop = Flow_step_report::Stop;
   (void)keep_volume(0);
-  const bool rests = fairs() && m_class->rests();
-  report.faired = fairs() && !rests && fair(report);
+  const bool pauses = fairs() && m_smoothing_pause.holds();
+  report.faired = fairs() && !pauses && fair(report);
+  const double smoothed = m_energy;
+  transform(report, go_further);
+  if (report.stop == Stop::cancelled) return;
+  if (fairs() && !pauses) {
+    const bool gains_more = report.energy_before - smoothed > smoothed - m_energy;
+    m_smoothing_pause.learn(m_transformation.system().is_closed() ? gains_more : report.faired);
+  }
+  if (pauses && report.stop != Stop::none) {
+    m_smoothing_pause.end();  // smoothing might go on
+    report.faired = fair(report);
+    if (report.faired && report.accepted) {
+      if (!is_small(report.energy_before - m_energy, 1)) report.stop = Stop::none;
+      report.energy = m_energy;
+      report.energy_of_faces = written_energy();
+    }
+  }
+  if (report.faired && !report.accepted) settle_for_fairing(report);
+}
+
+void Conformal_willmore_flow::transform(Flow_step_report& report, const Go_further& go_further)
+{
   const auto direction = m_direction(m_mesh);
   report.direction_norm = direction.norm;
   report.remaining_share = direction.share;
@@ -124,17 +155,6 @@ void Conformal_willmore_flow::take_step(Flow_step_report& report, const Go_furth
     report.stop = Flow_step_report::Stop::direction_vanished;
   else
     find_time_step(direction, report, go_further);
-  const bool is_cancelled = report.stop == Flow_step_report::Stop::cancelled;
-  if (report.faired && !report.accepted && !is_cancelled) settle_for_fairing(report);
-  if (rests && report.accepted && report.stop == Flow_step_report::Stop::energy_settled) {
-    m_class->wake();  // smoothing might go on
-    if (fair(report)) {
-      report.faired = true;
-      report.stop = Flow_step_report::Stop::none;
-      report.energy = m_energy;
-      report.energy_of_faces = energy_of_faces(positions());
-    }
-  }
 }
 
 bool Conformal_willmore_flow::fair(Flow_step_report& report)
@@ -157,9 +177,10 @@ void Conformal_willmore_flow::settle_for_fairing(Flow_step_report& report)
     report.message.clear();
     report.place = {};
   }
+  ++m_steps;
   report.accepted = true;
   report.energy = m_energy;
-  report.energy_of_faces = energy_of_faces(positions());
+  report.energy_of_faces = written_energy();
   report.time_step = 0;
   report.direction_norm_after = report.direction_norm;
   report.is_bounded = false;
@@ -167,7 +188,6 @@ void Conformal_willmore_flow::settle_for_fairing(Flow_step_report& report)
   internal::add_costs(report.spin, given_up);
   report.spin.mollification = m_mollification;
   judge_boundary(report.spin);
-  ++m_steps;
 }
 
 // That a step has not realised its rho is not a fault of a surface that is in the class and has the
@@ -181,15 +201,19 @@ void Conformal_willmore_flow::judge_boundary(Spin_report& report) const
 
 auto Conformal_willmore_flow::state() const -> State
 {
-  return {m_mesh.positions(), m_energy, m_time_step,
-          m_class ? m_class->state() : internal::Class_keeper::State(),
+  return {m_mesh.positions(),
+          m_energy,
+          m_time_step,
+          m_smoothing_pause,
+          m_class ? std::optional(m_class->state()) : std::nullopt,
           m_scale_bound ? m_scale_bound->pace() : internal::Scale_bound::Pace()};
 }
 
 void Conformal_willmore_flow::restore(const State& before)
 {
   m_time_step = before.time_step;
-  if (m_class) m_class->set_state(before.keeper);
+  m_smoothing_pause = before.smoothing;
+  if (m_class) m_class->set_state(*before.keeper);
   if (m_scale_bound) m_scale_bound->set_pace(before.pace);
   if (m_mesh.positions() == before.positions) return;
   m_mesh.set_positions(before.positions);
@@ -216,7 +240,7 @@ void Conformal_willmore_flow::finish(Flow_report& report)
   if (m_class) report.period_defect = internal::largest_period_defect(report);
   report.conformality = map_to(measured(), m_mesh.positions());
   report.conformality_of_faces = map_to(faces(), positions());
-  report.energy_of_faces = energy_of_faces(positions());
+  report.energy_of_faces = written_energy();
   if (boundary_loops(m_input).empty()) {
     report.initial_enclosure = enclosure(m_input);
     report.enclosure = enclosure(Mesh_view(positions(), m_input.corners()));

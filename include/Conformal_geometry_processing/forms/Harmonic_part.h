@@ -25,6 +25,9 @@ class Harmonic_part {
 
   int size() const { return static_cast<int>(m_potentials.cols()); }
 
+  const Eigen::MatrixXd& generator_combinations() const { return m_combinations; }  ///< T
+  const Eigen::MatrixXd& potentials() const { return m_potentials; }                ///< u
+
   /// \brief <omega_i, alpha> for the forms omega_i of the basis and the columns alpha: `size()` x
   /// k.
   ///

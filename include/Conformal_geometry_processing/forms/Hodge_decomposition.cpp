@@ -23,8 +23,9 @@ Hodge_decomposition::Hodge_decomposition(const Mesh_view& mesh, const std::strin
 {}
 
 Hodge_decomposition::Hodge_decomposition(const Surface_ref& surface, Eigen::MatrixXd generators,
-                                         const internal::Grounded_solver& laplacian)
-    : Hodge_decomposition(surface, std::move(generators), not_owned(laplacian))
+                                         const internal::Grounded_solver& laplacian,
+                                         const internal::Harmonic_part* start)
+    : Hodge_decomposition(surface, std::move(generators), not_owned(laplacian), start)
 {}
 
 internal::Hodge_parts Hodge_decomposition::decompose(const Eigen::MatrixXd& omega) const
@@ -45,21 +46,34 @@ Hodge_decomposition::Checked_mesh::Checked_mesh(const Mesh_view& mesh_, const st
 }
 
 Hodge_decomposition::Hodge_decomposition(const Checked_mesh& c, const Spin_solvers& solvers)
-    : Hodge_decomposition(c.mesh, closed_generators(c.mesh), factored(c.mesh, solvers))
+    : Hodge_decomposition(c.mesh, closed_generators(c.mesh), factored(c.mesh, solvers), nullptr)
 {}
 
 Hodge_decomposition::Hodge_decomposition(const Surface_ref& surface, Eigen::MatrixXd generators,
-                                         Laplacian laplacian)
+                                         Laplacian laplacian, const internal::Harmonic_part* start)
     : m_surface(surface), m_weights(cotan_weights(surface)), m_laplacian(std::move(laplacian))
 {
   Eigen::SparseMatrix<double> crossings = generators.sparseView();
   Eigen::MatrixXd& forms = m_basis.one_forms = std::move(generators);
-  Eigen::MatrixXd u = internal::remove_exact_parts(surface, m_weights, *m_laplacian, forms);
-  Eigen::MatrixXd T = internal::orthonormalize_forms(surface, forms);
-  u *= T;
-  // Removes the errors in the exact part, which are large for generators.
-  forms = crossings * T - differential(surface, u);
-  u += internal::remove_exact_parts(surface, m_weights, *m_laplacian, forms);
+  Eigen::MatrixXd T = Eigen::MatrixXd::Identity(forms.cols(), forms.cols());
+  Eigen::MatrixXd u = Eigen::MatrixXd::Zero(surface.size_of_vertices(), forms.cols());
+  const auto combine = [&] { forms = crossings * T - differential(surface, u); };
+  const auto remove_exact = [&] {
+    u += internal::remove_exact_parts(surface, m_weights, *m_laplacian, forms);
+  };
+  if (start) {
+    T = start->generator_combinations();
+    u = start->potentials();
+    combine();
+  }
+  remove_exact();
+  const Eigen::MatrixXd change = internal::orthonormalize_forms(surface, forms);
+  T *= change;
+  u *= change;
+  if (!start) {  // removes the errors in the exact part, which are large for generators
+    combine();
+    remove_exact();
+  }
   m_part.emplace(surface, m_weights, std::move(crossings), std::move(T), std::move(u));
   for (Eigen::Index i = 0; i < forms.cols(); ++i)
     m_basis.fields.push_back(tangent_field(surface, forms.col(i)));

@@ -60,10 +60,13 @@ class Hodge_decomposition {
   /// \param surface must outlive the object
   /// \param laplacian solves with the Laplacian of the surface, like
   /// `Poisson_reconstruction::solver()`; must outlive the object
+  /// \param start the forms by these generators of a surface of the same connectivity, or null:
+  /// from those of one nearby, a single solve per form is enough
   /// \pre `require_surface(mesh)` holds
   /// \throw Precondition_error if the generators are not independent
   Hodge_decomposition(const Surface_ref& surface, Eigen::MatrixXd generators,
-                      const internal::Grounded_solver& laplacian);
+                      const internal::Grounded_solver& laplacian,
+                      const internal::Harmonic_part* start = nullptr);
 
   const Harmonic_basis& harmonic_basis() const& { return m_basis; }
   Harmonic_basis harmonic_basis() && { return std::move(m_basis); }
@@ -88,7 +91,8 @@ class Hodge_decomposition {
   };
 
   Hodge_decomposition(const Checked_mesh& c, const Spin_solvers& solvers);
-  Hodge_decomposition(const Surface_ref& surface, Eigen::MatrixXd generators, Laplacian laplacian);
+  Hodge_decomposition(const Surface_ref& surface, Eigen::MatrixXd generators, Laplacian laplacian,
+                      const internal::Harmonic_part* start);
   static Laplacian factored(const Mesh_view& mesh, const Spin_solvers& solvers);
   static Laplacian not_owned(const internal::Grounded_solver& laplacian);
 

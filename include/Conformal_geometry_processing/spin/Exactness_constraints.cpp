@@ -48,7 +48,8 @@ internal::Exactness_constraints exactness_constraints(internal::Dirac_system& sy
                                                       const internal::Grounded_solver& laplacian,
                                                       Eigen::MatrixXd generators,
                                                       Curvature_potential::On on,
-                                                      std::optional<Exactness> version)
+                                                      std::optional<Exactness> version,
+                                                      const internal::Harmonic_part* start)
 {
   const Surface_ref& surface = system.surface();
   internal::Exactness_constraints c;
@@ -58,10 +59,10 @@ internal::Exactness_constraints exactness_constraints(internal::Dirac_system& sy
   c.functions = Eigen::MatrixXd(c.areas.size(), 0);
   if (generators.cols() == 0) return c;
   c.weights = cotan_weights(surface);
-  const Hodge_decomposition hodge(surface, std::move(generators), laplacian);
+  const Hodge_decomposition hodge(surface, std::move(generators), laplacian, start);
   c.forms = hodge.harmonic_part();
   if (!version) return c;
-  const double tolerance = 1e-8;  // far below the periods of second order that any edit leaves
+  const double tolerance = 1e-5;  // far below the periods of second order that any edit leaves
   const bool is_thesis = system.is_closed() && version == Exactness::thesis;
   system.prepare_response();
   c.factorizations = 1;

@@ -75,20 +75,23 @@ struct Exactness_constraints {
 /// \ingroup PkgSpin
 /// \brief computes the constraints of a surface.
 ///
-/// Costs 4G solves with a Laplacian that is already factored, a factorization of the Dirac matrix
-/// for rho = 0, and about 10G solves with it; nothing without generators.
+/// Costs 4G solves with a Laplacian that is already factored, half as many from a start, a
+/// factorization of the Dirac matrix for rho = 0, and about 4G solves with it; nothing without
+/// generators.
 ///
 /// \param system of the surface; its factor is overwritten
 /// \param laplacian solves with the Laplacian of the surface
 /// \param generators closed forms of the surface, one column for each loop around handles and holes
 /// \param on where the values of rho are
 /// \param version empty: no functions are computed. With a boundary, always the adjoint
+/// \param start see `Hodge_decomposition`
 /// \throw Solver_error if a factorization fails, or a solve
 internal::Exactness_constraints exactness_constraints(internal::Dirac_system& system,
                                                       const internal::Grounded_solver& laplacian,
                                                       Eigen::MatrixXd generators,
                                                       Curvature_potential::On on,
-                                                      std::optional<Exactness> version);
+                                                      std::optional<Exactness> version,
+                                                      const internal::Harmonic_part* start = {});
 
 namespace internal {
 

@@ -61,11 +61,16 @@ class Period_correction {
     return solve(energy_change(m_system.surface(), m_rho, m_lambda, d)).col(0);
   }
 
-  /// three for each loop
-  int number_of_periods() const { return static_cast<int>(m_functions.cols()); }
+  /// that have been needed: one for each loop, three where spins are real combinations
+  int number_of_solves() const
+  {
+    const int all = static_cast<int>(m_functions.cols());
+    return m_system.coefficients() == Coefficients::reals ? all : all / 3;
+  }
 
  private:
   Vectors solve(Vectors g) const;
+  Vectors solve_for_axes(const Vectors& g) const;
 
   const Dirac_system& m_system;
   Spin_gauge m_gauge;
@@ -88,7 +93,7 @@ Period_correction::Period_correction(const Dirac_system& system, const Eigen::Ve
   const double damping = 0.01;
   m_functions = system.areas().cwiseInverse().asDiagonal() *
                 energy_gradient(system.surface(), m_rho, m_lambda,
-                                solve(gradients_of({&periods}, rho.size())));
+                                solve_for_axes(gradients_of({&periods}, rho.size())));
   Eigen::MatrixXd gram = m_functions.transpose() * system.areas().asDiagonal() * m_functions;
   gram.diagonal().array() += damping * damping * gram.diagonal().maxCoeff();
   m_gram.compute(gram);
@@ -110,6 +115,24 @@ auto Period_correction::solve(Vectors g) const -> Vectors
     g.col(k) = m_gauge.projected_gradient(m_lambda, g.col(k));
   Vectors y = m_system.precondition(g);
   for (Eigen::Index k = 0; k < y.cols(); ++k) y.col(k) = m_gauge.projected(m_lambda, y.col(k));
+  return y;
+}
+
+// The axes are orthogonal to each other by right factors, with which the equations commute where
+// spins are quaternions: the gradients by one axis are those by another times a unit. One solve in
+// three is enough.
+auto Period_correction::solve_for_axes(const Vectors& g) const -> Vectors
+{
+  if (m_system.coefficients() == Coefficients::reals) return solve(g);
+  const Eigen::Index loops = g.cols() / 3;
+  const Quaternion<double> from_x_to_y{0, 0, 0, -1}, from_x_to_z{0, 0, 1, 0};
+  Vectors y(g.rows(), g.cols());
+  y.leftCols(loops) = solve(g.leftCols(loops));
+  for (Eigen::Index k = 0; k < loops; ++k)
+    for (Eigen::Index v = 0; v < g.rows(); ++v) {
+      y(v, loops + k) = y(v, k) * from_x_to_y;
+      y(v, 2 * loops + k) = y(v, k) * from_x_to_z;
+    }
   return y;
 }
 
@@ -139,7 +162,7 @@ Closed_spins closed_spins(const Dirac_system& system, const Exactness_constraint
   s.period_defect = periods.values().norm();
   if (s.period_defect <= limit) return s;
   const Period_correction correction(system, s.rho, s.lambda, periods);
-  s.solves = correction.number_of_periods();
+  s.solves = correction.number_of_solves();
   for (double left = 0; s.period_defect > limit && left <= worst;)
     left = take_change(correction, gauge, periods, s);
   return s;

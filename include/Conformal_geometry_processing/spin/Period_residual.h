@@ -67,7 +67,8 @@ struct Closed_spins {
 /// more than a quarter of the defect: the step is then too large, or no small rho moves its
 /// periods, as on isothermic surfaces, where one of the functions vanishes.
 ///
-/// Factorizes nothing, and costs three solves for each loop, and one for each change.
+/// Factorizes nothing, and costs one solve for each loop, three where directions are prescribed,
+/// and one for each change.
 /// \param system with the factor of X, or one nearby, as the solution of the equation leaves it
 /// \param rho |V|, in 1/length of the system, with gamma where that is an eigenvalue
 /// \param limit of the period defect

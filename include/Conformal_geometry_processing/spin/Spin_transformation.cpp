@@ -85,6 +85,8 @@ const Poisson_reconstruction& Spin_transformation::reconstruction()
   return *poisson;
 }
 
+// The start is that of the first positions, not of the last: so results do not depend on the steps
+// between.
 const internal::Exactness_constraints& Spin_transformation::exactness(Curvature_potential::On on)
 {
   auto& found = m_stage->exactness;
@@ -92,7 +94,13 @@ const internal::Exactness_constraints& Spin_transformation::exactness(Curvature_
   internal::Stopwatch watch;
   const auto& laplacian = reconstruction().solver();
   m_unreported.seconds.reconstruction += watch.lap();
-  found = exactness_constraints(system(), laplacian, domain().forms(), on, m_options.exactness);
+  const auto constraints = [&](std::optional<Exactness> version) {
+    return exactness_constraints(system(), laplacian, domain().forms(), on, version,
+                                 m_stage->forms ? &*m_stage->forms : nullptr);
+  };
+  const bool may_move = domain().has_loops() && !domain().is_mollified();
+  if (may_move && !m_stage->forms) m_stage->forms = constraints(std::nullopt).forms;
+  found = constraints(m_options.exactness);
   m_unreported.factorizations += found->factorizations;
   m_unreported.solves += found->solves;
   if (domain().has_loops()) m_unreported.seconds.exactness += watch.lap();

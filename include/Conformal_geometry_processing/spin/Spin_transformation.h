@@ -231,6 +231,7 @@ class Spin_transformation {
     std::optional<Poisson_reconstruction> poisson;
     bool is_poisson_old = false;  // the surface has moved since the Laplacian was assembled
     std::optional<internal::Exactness_constraints> exactness, closing;
+    std::optional<internal::Harmonic_part> forms;  // of the first positions: a start for others
     std::optional<internal::Solver_ref<double>> smoother;  // of the curvature that is judged
     std::shared_ptr<internal::Relaxed_surface> preview;
     double seconds;

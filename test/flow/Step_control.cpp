@@ -1,10 +1,11 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-#include <Conformal_geometry_processing/flow/Time_step.h>
+#include <Conformal_geometry_processing/flow/Step_control.h>
 
 #include <gtest/gtest.h>
 
-namespace cgp_test::time_step_tests {
+namespace cgp_test::step_control_tests {
 
+using Conformal_geometry_processing::internal::Pause;
 using Conformal_geometry_processing::internal::Time_step;
 
 TEST(Time_step, starts_with_the_first)
@@ -84,4 +85,36 @@ TEST(Time_step, grows_at_once_after_growth_has_lasted)
   EXPECT_EQ(fail_after_growth(), 1);
 }
 
-}  // namespace cgp_test::time_step_tests
+TEST(Time_step, may_grow_by_another_factor)
+{
+  Time_step step(8, 0.1, 1, 2);
+  for (const double value : {2., 4., 8., 8.}) {
+    step.grow();
+    EXPECT_EQ(step.value(), value);
+  }
+}
+
+TEST(Pause, lasts_ever_longer_until_what_is_left_out_is_worthwhile)
+{
+  Pause pause;
+  const auto steps_without = [&](bool is_worthwhile) {
+    pause.learn(is_worthwhile);
+    int steps = 0;
+    while (pause.holds()) ++steps;
+    return steps;
+  };
+  EXPECT_FALSE(pause.holds());
+  for (const int steps : {1, 2, 4, 8}) EXPECT_EQ(steps_without(false), steps);
+  EXPECT_EQ(steps_without(true), 0);
+  for (const int steps : {1, 2}) EXPECT_EQ(steps_without(false), steps);
+}
+
+TEST(Pause, ends_when_told)
+{
+  Pause pause;
+  pause.learn(false);
+  pause.end();
+  EXPECT_FALSE(pause.holds());
+}
+
+}  // namespace cgp_test::step_control_tests
