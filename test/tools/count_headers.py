@@ -43,7 +43,7 @@ def executed(folder):
             name = pathlib.Path(file["file"])
             path = re.search(rf"(?:{sources.LIBRARY}|{sources.SOLVERS})/.*", name.as_posix())
             if path and any(line["count"] for line in file["lines"]):
-                headers.add(path[0].removeprefix(f"{sources.LIBRARY}/"))
+                headers.add(path[0].partition("/")[2])
     return headers
 
 
