@@ -213,6 +213,22 @@ TEST(Relaxed_scales, asks_for_less_where_the_map_would_not_be_conformal)
   EXPECT_EQ(vain.fault(), CGP::Spin_report::Fault::map);
 }
 
+// Not by a large part at once where a limit begins to matter.
+TEST(Relaxed_scales, asks_for_less_steadily)
+{
+  const CGP::Spin_report all = within(2);
+  const double distortion = (std::max)(all.conformality.quasi_conformal.mean,
+                                       all.conformality.quasi_conformal_of_new_area) -
+                            1;
+  const double most = .15;
+  double last = all.scales.kept_norm;
+  for (const double share : {1., .95, .9, .85, .8, .75, .7, .65, .6}) {
+    const double kept = within(1 + share * distortion).scales.kept_norm;
+    EXPECT_NEAR(kept, last, most * all.scales.kept_norm) << share;
+    last = kept;
+  }
+}
+
 /// the mean quasi-conformal error of the result, less 1
 double mean_distortion(int level)
 {

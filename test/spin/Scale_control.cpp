@@ -13,6 +13,7 @@
 #include <string>
 
 #include "support/meshes.h"
+#include "support/random.h"
 
 namespace cgp_test::scale_control_tests {
 
@@ -70,6 +71,29 @@ TEST(Scale_control, measures_lengths_at_unchanged_area)
   scales = CGP::internal::measured_scales(lambda, areas, {2., {}, {}, counted});
   EXPECT_NEAR(scales.high, 5 / std::sqrt(growth), 1e-12);
   EXPECT_NEAR(scales.low, 1 / std::sqrt(growth), 1e-12);
+}
+
+// By their definition, in a distribution without steps.
+TEST(Scale_control, measures_98_and_nearly_all_percent_of_the_area)
+{
+  const Mesh_view mesh = perturbed(icosphere(4), .05);
+  const Eigen::VectorXd areas = CGP::vertex_areas(mesh);
+  const auto lambda = random_quaternions(mesh.size_of_vertices(), 3);
+  const auto scales = CGP::internal::measured_scales(lambda, areas, {2., {}, {}});
+  Eigen::ArrayXd factors = CGP::components(lambda).colwise().squaredNorm().transpose();
+  factors /= std::sqrt(areas.dot(factors.square().matrix()) / areas.sum());
+  const auto share_beyond = [&](const Eigen::ArrayXd& growth, double line, double slack) {
+    return (growth > line * (1 + slack)).select(areas.array(), 0).sum() / areas.sum();
+  };
+  const double step = 1e-12;
+  const auto expect_quantile = [&](const Eigen::ArrayXd& growth, double line, double beyond) {
+    EXPECT_LE(share_beyond(growth, line, step), beyond);
+    EXPECT_GT(share_beyond(growth, line, -step), beyond);
+  };
+  expect_quantile(factors, scales.high, .01);
+  expect_quantile(factors, scales.tip_high, .001);
+  expect_quantile(factors.inverse(), 1 / scales.low, .01);
+  expect_quantile(factors.inverse(), 1 / scales.tip_low, .001);
 }
 
 TEST(Scale_control, compares_rho_without_its_mean_where_that_has_no_effect)

@@ -1,5 +1,6 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/spin/Period_residual.h>
+#include <Conformal_geometry_processing/spin/Spin_gauge.h>
 #include <Conformal_geometry_processing/spin/Spin_preconditioner.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
 
@@ -63,6 +64,27 @@ TEST(Spin_preconditioner, takes_off_periods_of_few_and_many_holes)
     const Eigen::VectorXd taken = periods.change(preconditioner.correction(values, costs));
     EXPECT_LT((taken - values).norm(), .1 * values.norm()) << holes;
   }
+}
+
+TEST(Spin_preconditioner, knows_the_few_by_their_columns)
+{
+  const Mesh_view mesh = sieve(few);
+  const int count = mesh.size_of_vertices();
+  CGP::Spin_transformation transformation(mesh);
+  CGP::internal::Dirac_system& system = transformation.system();
+  Period_residual periods(system.surface(), *transformation.closing());
+  Spin_preconditioner preconditioner(system, {&periods}, 10, .2);
+  const Quaternion_vector<double> lambda =
+      Quaternion_vector<double>::Constant(count, {1, 0, 0, 0}) + .1 * random_quaternions(count, 3);
+  CGP::internal::Relaxed_costs costs;
+  periods.set_spins(lambda);
+  preconditioner.update(lambda, Eigen::VectorXd::Zero(count), costs);
+  const CGP::internal::Spin_gauge gauge(system);
+  const auto y = gauge.projected(lambda, random_quaternions(count, 4));
+  const auto expected = gauge.projected_gradient(lambda, periods.gradient(periods.change(y)));
+  const Quaternion_vector<double> difference = preconditioner.residual_product(y) - expected;
+  EXPECT_GT(CGP::components(expected).norm(), 0);
+  EXPECT_LT(CGP::components(difference).norm(), 1e-10 * CGP::components(expected).norm());
 }
 
 TEST(Spin_preconditioner, closes_surfaces_with_many_holes)

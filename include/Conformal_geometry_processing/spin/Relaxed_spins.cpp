@@ -198,13 +198,6 @@ Eigen::MatrixXd Relaxed_spins::solve_potential(const Eigen::MatrixXd& b)
   return d + m_constants * (means / (areas.sum() - areas.dot(m_constants)));
 }
 
-auto Relaxed_spins::residual_product(const Spins& y) const -> Spins
-{
-  Spins sum = Spins::Constant(y.size(), {});
-  for (const Spin_residual* residual : m_residuals) sum += residual->gradient(residual->change(y));
-  return sum;
-}
-
 auto Relaxed_spins::schur_product(const Vectors& y) -> Vectors
 {
   std::vector<Spins> misfits;
@@ -217,8 +210,8 @@ auto Relaxed_spins::schur_product(const Vectors& y) -> Vectors
   const Eigen::MatrixXd d = solve_potential(turned);
   Vectors product(y.rows(), y.cols());
   for (Eigen::Index k = 0; k < y.cols(); ++k)
-    product.col(k) =
-        here().adjoint(misfits[static_cast<std::size_t>(k)], d.col(k)) + residual_product(y.col(k));
+    product.col(k) = here().adjoint(misfits[static_cast<std::size_t>(k)], d.col(k)) +
+                     m_preconditioner.residual_product(y.col(k));
   return product;
 }
 
@@ -237,6 +230,8 @@ auto Relaxed_spins::solve_schur(Vectors b, const std::function<bool()>& go_furth
   // What the preconditioner leaves to the iterations is stiff: they find the rest after it.
   const double share = m_preconditioner.leaves_few() ? .1 : 1;
   options.tolerance = share * m_options.tolerance;
+  if (m_options.negligible > 0 && !m_preconditioner.has_few())
+    options.negligible = m_options.negligible * terms().sum();
   options.max_iterations = m_options.max_iterations;
   options.leading_columns = 1;
   options.go_further = go_further;

@@ -82,7 +82,8 @@ class Relaxed_spins {
 
   struct Options {
     Misfit_weights weights;
-    double tolerance = 0.3;  ///< of conjugate gradients
+    double tolerance = 0.3;  ///< of conjugate gradients, and
+    double negligible = 0;   ///< what they may leave of the sum, where no residuals are few
     int max_iterations = 30;
     double smoothness = 0.1;  ///< s of K, by R^2
     double reuse = 0.2;       ///< the factor is kept while lambda has moved by less, in the mean
@@ -183,7 +184,6 @@ class Relaxed_spins {
   Eigen::VectorXd metric_product(const Eigen::VectorXd& d) const;
   void couple();
   Eigen::MatrixXd solve_potential(const Eigen::MatrixXd& b);
-  Spins residual_product(const Spins& y) const;
   Vectors solve_schur(Vectors b, const std::function<bool()>& go_further);
   bool is_far_from_zero(const Spins& lambda) const;
 

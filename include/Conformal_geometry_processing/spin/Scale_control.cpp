@@ -6,6 +6,7 @@
 #include <Quaternionic_linear_algebra/exceptions.h>
 
 #include <cmath>
+#include <vector>
 
 namespace Conformal_geometry_processing::internal {
 
@@ -46,6 +47,18 @@ Eigen::VectorXd with_area_kept(const Eigen::VectorXd& u, const Eigen::VectorXd& 
   return u.array() - largest - std::log(growth) / 2;
 }
 
+/// those of 99 % and 99.9 % of the weight: the second is looked for beyond the first alone
+inline Eigen::Vector2d tail_quantiles(const Eigen::VectorXd& values, const Eigen::VectorXd& weights)
+{
+  const double first = weighted_quantile(values, weights, .99), beyond_second = .001;
+  std::vector<Eigen::Index> tail;
+  for (Eigen::Index v = 0; v < values.size(); ++v)
+    if (values[v] >= first) tail.push_back(v);
+  const Eigen::VectorXd of_tail = weights(tail);
+  const double share = 1 - beyond_second * weights.sum() / of_tail.sum();
+  return {first, weighted_quantile(values(tail), of_tail, share)};
+}
+
 Spin_report::Scales measured_scales(const Quaternion_vector<double>& lambda,
                                     const Eigen::VectorXd& areas, const Scale_control& control)
 {
@@ -53,16 +66,15 @@ Spin_report::Scales measured_scales(const Quaternion_vector<double>& lambda,
                   weights = control.counted_areas.size() > 0 ? control.counted_areas : areas;
   if (control.factors.size() > 0) u -= with_area_kept(control.factors.array().log(), areas);
   if (control.weights.size() > 0) weights = (control.weights.array() > 0).select(weights, 0).eval();
-  const Distribution up = distribution(u, weights), down = distribution(-u, weights);
+  const Eigen::Vector2d up = tail_quantiles(u, weights), down = tail_quantiles(-u, weights);
   Spin_report::Scales scales;
   scales.bound = control.bound.value_or(0);
-  scales.low = std::exp(-down.p99);
-  scales.high = std::exp(up.p99);
-  const double nearly_all = .999;
-  scales.tip_low = std::exp(-weighted_quantile(-u, weights, nearly_all));
-  scales.tip_high = std::exp(weighted_quantile(u, weights, nearly_all));
-  scales.min = std::exp(-down.max);
-  scales.max = std::exp(up.max);
+  scales.low = std::exp(-down[0]);
+  scales.high = std::exp(up[0]);
+  scales.tip_low = std::exp(-down[1]);
+  scales.tip_high = std::exp(up[1]);
+  scales.min = std::exp(u.minCoeff());
+  scales.max = std::exp(u.maxCoeff());
   return scales;
 }
 

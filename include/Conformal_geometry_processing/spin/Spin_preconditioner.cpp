@@ -49,40 +49,40 @@ void Spin_preconditioner::update(const Spins& lambda, const Eigen::VectorXd& rho
     m_few_changes.resize(lambda.size(), 0);
     return;
   }
-  Vectors gradients = gradients_of(m_few, m_lambda.size());
-  for (Eigen::Index k = 0; k < gradients.cols(); ++k)
-    gradients.col(k) = m_gauge.projected_gradient(m_lambda, gradients.col(k));
+  const Eigen::Index columns = m_gradients.cols();
+  m_gradients = gradients_of(m_few, m_lambda.size());
+  for (Eigen::Index k = 0; k < m_gradients.cols(); ++k)
+    m_gradients.col(k) = m_gauge.projected_gradient(m_lambda, m_gradients.col(k));
   const double few_reuse = .1 * m_reuse;
-  if (is_new || gradients.cols() != m_columns || m_moved - m_chosen_at > few_reuse)
-    choose_few(gradients, costs);
-  if (m_few_changes.cols() > 0) adopt_few(gradients);
+  if (is_new || m_gradients.cols() != columns || m_moved - m_chosen_at > few_reuse)
+    choose_few(costs);
+  if (m_few_changes.cols() > 0) adopt_few();
 }
 
-void Spin_preconditioner::choose_few(const Vectors& gradients, Relaxed_costs& costs)
+void Spin_preconditioner::choose_few(Relaxed_costs& costs)
 {
   const double least = 1e-12;  // of the largest: less is rounding
-  m_columns = gradients.cols();
   m_chosen_at = m_moved;
-  m_few_changes.resize(gradients.rows(), 0);
-  if (m_columns == 0) return;
-  const Vectors solved = solve(gradients);
-  costs.block_columns += static_cast<int>(m_columns);
-  const Eigen::MatrixXd products = real_products(gradients, solved);
+  m_few_changes.resize(m_gradients.rows(), 0);
+  if (m_gradients.cols() == 0) return;
+  const Vectors solved = solve(m_gradients);
+  costs.block_columns += static_cast<int>(m_gradients.cols());
+  const Eigen::MatrixXd products = real_products(m_gradients, solved);
   const auto energies =
       hermitian_eigen_decomposition<double>((products + products.transpose()) / 2);
   const Eigen::Index size = (energies.values.array() > least * energies.values.maxCoeff()).count();
   const Eigen::MatrixXd C = energies.vectors.rightCols(size) *
                             energies.values.tail(size).cwiseSqrt().cwiseInverse().asDiagonal();
   m_few_changes = real_combination(solved, C);
-  m_few_forces = real_combination(gradients, C);
+  m_few_forces = real_combination(m_gradients, C);
 }
 
 // With the changes Y and the present gradients, S Y = X Y + G G^T Y; it is exact in what a large
 // weight multiplies, though Y is old.
-void Spin_preconditioner::adopt_few(const Vectors& gradients)
+void Spin_preconditioner::adopt_few()
 {
-  const Eigen::MatrixXd& B = m_few_products = real_products(gradients, m_few_changes);
-  m_images = m_few_forces + real_combination(gradients, B);
+  const Eigen::MatrixXd& B = m_few_products = real_products(m_gradients, m_few_changes);
+  m_images = m_few_forces + real_combination(m_gradients, B);
   m_inverse.compute(Eigen::MatrixXd::Identity(B.cols(), B.cols()) + B.transpose() * B);
 }
 
@@ -150,6 +150,20 @@ auto Spin_preconditioner::iterated_correction(const Eigen::VectorXd& values,
   Block<double> c;
   conjugate_gradients(product, same, Block<double>(values), c, options);
   return change(c);
+}
+
+auto Spin_preconditioner::residual_product(const Spins& y) const -> Spins
+{
+  Spins sum = Spins::Constant(y.size(), {});
+  const auto add = [&](const Spin_residuals& residuals) {
+    for (const Spin_residual* r : residuals) sum += r->gradient(r->change(y));
+  };
+  add(m_dense);
+  if (leaves_few())
+    add(m_few);
+  else if (m_gradients.cols() > 0)
+    sum += real_combination(m_gradients, real_products(m_gradients, y)).col(0);
+  return sum;
 }
 
 // S^-1 in the span of the changes, and X^-1 in what is orthogonal to it by S.

@@ -58,6 +58,12 @@ class Spin_preconditioner {
   /// of gradients, to changes in the gauge of lambda
   Vectors apply(const Vectors& g, Relaxed_costs& costs) const;
 
+  /// \brief the sum of `Spin_residual::gradient()` of `change()` over all residuals, for a change
+  /// in the gauge of lambda: of the few by their columns.
+  Spins residual_product(const Spins& y) const;
+
+  bool has_few() const { return !m_few.empty(); }  ///< residuals
+
   /// whether the few residuals are too many for this, and left to the iterations
   bool leaves_few() const;
 
@@ -70,8 +76,8 @@ class Spin_preconditioner {
   /// \returns whether there is a new factor
   bool factorize(const Eigen::VectorXd& rho, Relaxed_costs& costs);
   Vectors solve(const Vectors& g) const;
-  void choose_few(const Vectors& gradients, Relaxed_costs& costs);
-  void adopt_few(const Vectors& gradients);
+  void choose_few(Relaxed_costs& costs);
+  void adopt_few();
   Spins iterated_correction(const Eigen::VectorXd& values, Relaxed_costs& costs) const;
 
   Dirac_system& m_system;
@@ -83,7 +89,7 @@ class Spin_preconditioner {
   int m_factored_changes = -1;
   Spins m_lambda;
   double m_chosen_at = 0;                  // how far lambda had moved
-  Eigen::Index m_columns = -1;             // of G
+  Vectors m_gradients;                     // G, in the gauge of lambda
   Vectors m_few_changes, m_few_forces;     // Y with <Y, w X Y> = 1, and w X Y
   Vectors m_images;                        // S Y
   Eigen::MatrixXd m_few_products;          // G^T Y

@@ -113,6 +113,9 @@ Spin_result Spin_transformation::relaxed(const Curvature_potential& rho,
   internal::Relaxed_scales_options search_options;
   if (!is_guided && !control.bound) search_options = internal::Closing_start::few_steps();
   search_options.spins.weights.factor = stiffness;
+  // Open surfaces are softer, and the exact class is told from one nearby.
+  if (control.bound && system().is_closed() && !m_options.exact_conformal_class)
+    search_options.spins.negligible = 5e-4;
   internal::Relaxed_surface search(*this, wanted, control, search_options);
   if (is_guided)
     search.scales.run(m_visits.guarded(go_further));
@@ -131,14 +134,18 @@ Spin_result Spin_transformation::relaxed(const Curvature_potential& rho,
   return result;
 }
 
-// Not where that is in vain.
+// As much less as there is too much shear, so that the surface changes steadily with rho; soon by
+// large parts. Not where that is in vain.
 void Spin_transformation::ask_for_less(internal::Relaxed_surface& search,
                                        const Eigen::VectorXd& wanted,
                                        const internal::Go_further& go_further, Spin_result& result)
 {
-  const double less = .7, least = .2;
+  const double wanted_shear = .95, most_at_once = .7, least = .2;
   const internal::Relaxed_scales::State all = search.scales.state();
-  for (double share = less; share > least && !search.scales.is_spent(); share *= less) {
+  double share = 1;
+  for (int power = 1; !search.scales.is_spent(); power *= 2) {
+    share *= (std::max)(most_at_once, std::pow(wanted_shear / shear(result.report, true), power));
+    if (!(share > least)) break;
     search.scales.follow(share * wanted, m_visits.guarded(go_further));
     search.close_within_bound(m_visits.guarded(go_further));
     result = surface_of(search.scales.solution());

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <functional>
 #include <utility>
+#include <vector>
 
 namespace Conformal_geometry_processing {
 namespace internal {
@@ -19,6 +20,7 @@ struct Conjugate_gradients_options {
   int max_iterations = 100;  ///< each costs one K and one T
   int leading_columns = 0;   ///< the run ends when these are close, the others as they are; 0: all
   std::function<bool()> go_further = {};  ///< called after each iteration: false ends the run
+  double negligible = 0;                  ///< energy of errors that need not become smaller
 };
 
 template <class FT>
@@ -29,7 +31,7 @@ struct Conjugate_gradients_result {
   Vector<FT> estimates;  ///< of the relative errors in the energy norm, one for each column
 };
 
-// The state of one run. Columns with an estimate below the tolerance are not updated.
+// The state of one run. Columns with an estimate below their tolerance are not updated.
 template <class Scalar, class K, class T>
 class Conjugate_gradients {
  public:
@@ -40,7 +42,6 @@ class Conjugate_gradients {
                       const Conjugate_gradients_options& options)
       : m_apply_k(apply_k),
         m_precondition(precondition),
-        m_tolerance(static_cast<FT>(options.tolerance)),
         m_leading(options.leading_columns > 0 ? options.leading_columns : b.cols()),
         m_x(Vectors::Constant(b.rows(), b.cols(), Scalar{})),
         m_r(b),
@@ -48,6 +49,7 @@ class Conjugate_gradients {
   {
     apply_operator(precondition, m_r, m_p);
     m_first = m_now = m_before = products(m_r, m_p);
+    m_tolerances = tolerances(options);
     m_result.estimates = Vector<FT>::Ones(b.cols());
     for (Eigen::Index c = 0; c < b.cols(); ++c)
       if (m_sizes[c] == 0)
@@ -61,7 +63,7 @@ class Conjugate_gradients {
   {
     if (is_over()) return false;
     Vectors& kp = m_image;
-    apply_operator(m_apply_k, m_p, kp);
+    apply_to_open(m_apply_k, m_p, kp);
     const Vector<FT> curvatures = products(m_p, kp);
     for (Eigen::Index c = 0; c < m_x.cols(); ++c)
       if (is_open(c) && require_positive(curvatures[c])) move(c, m_now[c] / curvatures[c], kp);
@@ -73,7 +75,7 @@ class Conjugate_gradients {
   void turn()
   {
     Vectors& z = m_image;
-    apply_operator(m_precondition, m_r, z);
+    apply_to_open(m_precondition, m_r, z);
     const Vector<FT> energies = products(m_r, z);
     for (Eigen::Index c = 0; c < m_x.cols(); ++c) {
       if (!is_open(c) || !require_positive(energies[c])) continue;
@@ -100,10 +102,37 @@ class Conjugate_gradients {
     return p;
   }
 
-  bool is_open(Eigen::Index c) const { return m_result.estimates[c] > m_tolerance; }
+  // The other columns of the images have no meaning.
+  template <class Operator>
+  void apply_to_open(const Operator& apply, const Vectors& vectors, Vectors& images) const
+  {
+    std::vector<Eigen::Index> open;
+    for (Eigen::Index c = 0; c < vectors.cols(); ++c)
+      if (is_open(c)) open.push_back(c);
+    if (static_cast<Eigen::Index>(open.size()) == vectors.cols())
+      return apply_operator(apply, vectors, images);
+    Vectors of_open;
+    apply_operator(apply, Vectors(vectors(Eigen::all, open)), of_open);
+    images = vectors;
+    images(Eigen::all, open) = of_open;
+  }
+
+  // At most .9, or no step would be taken.
+  Vector<FT> tolerances(const Conjugate_gradients_options& options) const
+  {
+    const FT most(0.9), given = static_cast<FT>(options.tolerance),
+                        negligible = static_cast<FT>(options.negligible);
+    Vector<FT> relative = Vector<FT>::Constant(m_first.size(), given);
+    for (Eigen::Index c = 0; c < relative.size(); ++c)
+      if (negligible > 0 && m_first[c] > 0)
+        relative[c] = (std::max)(given, (std::min)(most, std::sqrt(negligible / m_first[c])));
+    return relative;
+  }
+
+  bool is_open(Eigen::Index c) const { return m_result.estimates[c] > m_tolerances[c]; }
   bool is_close() const
   {
-    return (m_result.estimates.head(m_leading).array() <= m_tolerance).all();
+    return (m_result.estimates.array() <= m_tolerances.array()).head(m_leading).all();
   }
   bool is_over() const { return m_failed || is_close(); }
 
@@ -130,7 +159,7 @@ class Conjugate_gradients {
 
   const K& m_apply_k;
   const T& m_precondition;
-  FT m_tolerance;
+  Vector<FT> m_tolerances;  // of the estimates
   Eigen::Index m_leading;
   Vectors m_x, m_r, m_p;
   Vectors m_image;                      // K p, then T r

@@ -8,8 +8,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <complex>
 #include <limits>
+#include <vector>
 
 #include "quaternionic_linear_algebra/hermitian_matrices.h"
 #include "support/decompositions.h"
@@ -79,6 +81,43 @@ TYPED_TEST(Conjugate_gradients, solves_to_the_tolerance_in_the_energy_norm)
       for (Eigen::Index c = 0; c < 3; ++c)
         EXPECT_LE(this->energy(D, error.col(c)), 2 * tolerance * this->energy(D, expected.col(c)));
     }
+}
+
+// A small column has negligible errors after the first step, which is always taken.
+TYPED_TEST(Conjugate_gradients, leaves_what_is_negligible)
+{
+  const Eigen::MatrixXd D = real_form(this->A);
+  auto b = random_block<TypeParam>(this->n, 2, 3);
+  b.col(1) = (b.col(1) * 1e-3).eval();
+  const Eigen::MatrixXd expected = definite_solution(D, real_columns(b));
+  const auto old = this->inverse(real_form(this->nearby(this->A, .2)));
+  this->options.tolerance = 1e-9;
+  this->options.negligible = 1e-4 * std::pow(this->energy(D, expected.col(0)), 2);
+  const auto result =
+      CGP::conjugate_gradients(CGP::block_operator(this->A), old, b, this->x, this->options);
+  EXPECT_TRUE(result.converged);
+  const Eigen::MatrixXd error = real_columns(this->x) - expected;
+  EXPECT_LE(this->energy(D, error.col(0)), 2e-2 * this->energy(D, expected.col(0)));
+  EXPECT_GT(result.estimates[0], 1e-6);
+  EXPECT_GT(result.estimates[1], 1e-6);
+  EXPECT_GT(real_columns(this->x).col(1).norm(), 0);
+}
+
+TYPED_TEST(Conjugate_gradients, multiplies_no_columns_that_are_close)
+{
+  auto b = random_block<TypeParam>(this->n, 2, 3);
+  b.col(1) = (b.col(1) * 1e-3).eval();
+  const Eigen::MatrixXd D = real_form(this->A);
+  this->options.negligible =
+      1e-5 * std::pow(this->energy(D, definite_solution(D, real_columns(b)).col(0)), 2);
+  std::vector<Eigen::Index> columns;
+  const auto product = [&](const CGP::Block<TypeParam>& y) {
+    columns.push_back(y.cols());
+    return CGP::block_operator(this->A)(y);
+  };
+  EXPECT_TRUE(CGP::conjugate_gradients(product, this->none, b, this->x, this->options).converged);
+  EXPECT_EQ(columns.front(), 2);
+  EXPECT_EQ(columns.back(), 1);
 }
 
 TYPED_TEST(Conjugate_gradients, needs_one_step_with_the_inverse_itself)
