@@ -97,8 +97,8 @@ namespace internal {
 constexpr int no_column = (std::numeric_limits<int>::max)();
 
 // Updates larger than this are released after the factorization, to leave memory for subsequent
-// steps.
-constexpr std::int64_t kept_bytes = std::int64_t(1) << 27;
+// steps; a next one gets huge pages, in little time.
+constexpr std::int64_t kept_bytes = std::int64_t(1) << 22;
 
 // Number of row blocks of a large front per work item; they fit in the second-level cache.
 constexpr int blocks_per_piece = 8;
@@ -141,18 +141,11 @@ internal::Supernodal_factor<Scalar, Real>::Supernodal_factor(
       m_kernels(kernels_for<Real>(internal::Scalar_planes<Scalar>::size)),
       m_tasks(*m_structure),
       m_is_rounded(is_rounded),
-      m_panel_offsets(1, 0),
-      m_rounded_offsets(1, 0)
+      m_offsets(1, 0)
 {
   const internal::Supernodal_structure& S = *m_structure;
-  for (int s = 0; s < S.size(); ++s) {
-    const int k = S.width(s);
-    const std::int64_t all = layout().panel_size(k, S.height(s)),
-                       triangle = layout().panel_size(k, 0);
-    m_panel_offsets.push_back(m_panel_offsets.back() +
-                              (is_rounded ? triangle + layout().units_size(k) : all));
-    m_rounded_offsets.push_back(m_rounded_offsets.back() + (is_rounded ? all - triangle : 0));
-  }
+  for (int s = 0; s < S.size(); ++s)
+    m_offsets.push_back(m_offsets.back() + layout().panel_size(S.width(s), S.height(s)));
   plan();
 }
 
@@ -171,8 +164,9 @@ int internal::Supernodal_factor<Scalar, Real>::factorize(const Hermitian_sparse_
                                                          const Vector<FT>& scale)
 {
   plan();
-  m_panels.resize(m_panel_offsets.back());
-  m_rounded.resize(m_rounded_offsets.back());
+  m_panels.resize(m_is_rounded ? 0 : m_offsets.back());
+  m_rounded.resize(m_is_rounded ? m_offsets.back() : 0);
+  m_columns.resize(size_of_columns());
   m_updates.resize(m_places.size());
   Input input{A, shift, scale};
   One_by_one loops;
@@ -194,6 +188,7 @@ void internal::Supernodal_factor<Scalar, Real>::release()
 {
   m_panels.resize(0);
   m_rounded.resize(0);
+  m_columns.resize(0);
   m_updates.resize(0);
 }
 
@@ -227,20 +222,19 @@ internal::Supernodal_factor<Scalar, Real>::open_front(int s, Aligned_array<Real>
           u,
           layout().blocks(k),
           layout().blocks(u),
-          m_is_rounded ? panel.data() : m_panels.data() + m_panel_offsets[at(s)],
+          m_is_rounded ? panel.data() : m_panels.data() + m_offsets[at(s)],
           m_updates.data() + m_places[s]};
 }
 
 template <class Scalar, class Real>
 internal::Factored_front<Real> internal::Supernodal_factor<Scalar, Real>::front(int s) const
 {
-  const int k = m_structure->width(s);
-  const Real* const panel = m_panels.data() + m_panel_offsets[at(s)];
-  Factored_front<Real> front{panel, k, m_structure->height(s), m_structure->rows(s)};
-  if (!m_is_rounded) return front;
-  front.rounded = m_rounded.data() + m_rounded_offsets[at(s)];
-  front.units = panel + layout().panel_size(k, 0);
-  return front;
+  const int k = m_structure->width(s), u = m_structure->height(s);
+  const int* const rows = m_structure->rows(s);
+  const std::int64_t begin = m_offsets[at(s)];
+  if (!m_is_rounded) return {m_panels.data() + begin, k, u, rows};
+  const Real* const units = m_columns.data() + 2 * m_structure->first(s);
+  return {nullptr, k, u, rows, m_rounded.data() + begin, units, units + k};
 }
 
 // Once a bad column is found, only columns before it are eliminated.
@@ -356,15 +350,12 @@ void internal::Supernodal_factor<Scalar, Real>::add_matrix(const Front& f, const
   }
 }
 
-// Keeps the triangle and rounds the rows below.
 template <class Scalar, class Real>
 void internal::Supernodal_factor<Scalar, Real>::round(const Front& f)
 {
-  const std::int64_t triangle = layout().panel_size(f.columns, 0);
-  Real* const kept = m_panels.data() + m_panel_offsets[at(f.s)];
-  std::copy_n(f.panel, triangle, kept);
-  m_kernels.round_below(f.panel + triangle, f.columns, f.blocks,
-                        m_rounded.data() + m_rounded_offsets[at(f.s)], kept + triangle);
+  Real* const units = m_columns.data() + 2 * m_structure->first(f.s);
+  m_kernels.round_panel(f.panel, f.columns, f.triangle + f.blocks,
+                        m_rounded.data() + m_offsets[at(f.s)], units, units + f.columns);
 }
 
 #define CGP_DEFINE(Scalar, Real) template class internal::Supernodal_factor<Scalar, Real>;

@@ -268,9 +268,11 @@ class Contribution_stack {
 /// and each number is computed by the same operations in the same order on any thread, so the
 /// factor is bitwise the same for any number of threads. Memory is allocated once and reused.
 ///
-/// A factor that is only a preconditioner may be *rounded*: the rows below the triangles, most of
-/// it, are 16-bit multiples of a unit for each column. With a scale that makes the diagonal about 1
-/// each is off by 3e-5 of its row at most. A front is rounded when it has passed its update on.
+/// A factor that is only a preconditioner may be *rounded*: but for its diagonal, its numbers are
+/// 16-bit multiples of a unit for each column. With a scale that makes the diagonal of the matrix
+/// about 1 they are off by 3e-5 of a row, but for one of each column, which keeps the sum: the
+/// smallest eigenvalues belong to smooth vectors. A front is rounded when it has passed its update
+/// on.
 ///
 /// The dense operations use the kernels of the `vector_unit()` at construction, which also
 /// determine the layout of the numbers.
@@ -282,7 +284,7 @@ class Supernodal_factor {
  public:
   using FT = typename Scalar_traits<Scalar>::FT;
 
-  /// \param is_rounded whether rows below triangles are stored in 16 bits, for a preconditioner
+  /// \param is_rounded whether panels are stored in 16 bits, for a preconditioner
   explicit Supernodal_factor(std::shared_ptr<const Supernodal_structure> structure,
                              bool is_rounded = false);
 
@@ -301,8 +303,10 @@ class Supernodal_factor {
   /// Bytes of the panels
   std::int64_t panel_bytes() const
   {
-    return m_panel_offsets.back() * std::int64_t(sizeof(Real)) +
-           m_rounded_offsets.back() * std::int64_t(sizeof(std::int16_t));
+    const std::int64_t numbers = m_offsets.back();
+    return m_is_rounded ? numbers * std::int64_t(sizeof(std::int16_t)) +
+                              size_of_columns() * std::int64_t(sizeof(Real))
+                        : numbers * std::int64_t(sizeof(Real));
   }
 
   /// Bytes of the panels and the updates
@@ -335,6 +339,12 @@ class Supernodal_factor {
 
   static std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
+  /// Numbers for the columns of rounded panels
+  std::int64_t size_of_columns() const
+  {
+    return m_is_rounded ? 2 * std::int64_t(m_structure->size_of_columns()) : 0;
+  }
+
   double seconds() const;
   void plan();
   Front open_front(int s, Aligned_array<Real>& panel);
@@ -355,11 +365,12 @@ class Supernodal_factor {
   Front_kernels<Real> m_kernels;
   Elimination_tasks m_tasks;
   bool m_is_rounded;
-  std::vector<std::int64_t> m_panel_offsets, m_rounded_offsets;  // size + 1
+  std::vector<std::int64_t> m_offsets;  // of panels, size + 1
   bool m_is_parallel = false;
   Contribution_stack m_places;
-  Aligned_array<Real> m_panels, m_updates;  // rounded: triangles, each with its units
-  Aligned_array<std::int16_t> m_rounded;    // rows below triangles, if they are rounded
+  Aligned_array<Real> m_panels, m_updates;
+  Aligned_array<std::int16_t> m_rounded;  // the panels, if they are rounded,
+  Aligned_array<Real> m_columns;          // and for each their units and the inverses of diagonals
 };
 
 }  // namespace Conformal_geometry_processing::internal

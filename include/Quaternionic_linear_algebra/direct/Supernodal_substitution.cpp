@@ -112,16 +112,16 @@ template <class Scalar, class Real, int numbers>
 void internal::Supernodal_substitution<Scalar, Real, numbers>::prefetch_panel(int s) const
 {
   const internal::Factored_front<Real> front = m_factor.front(s);
-  const auto& layout = m_factor.layout();
-  const std::int64_t triangle = layout.panel_size(front.columns, 0);
   const auto prefetch = [](const auto* from, std::int64_t size) {
     constexpr int line = 64 / static_cast<int>(sizeof *from);
     for (std::int64_t i = 0; i < (std::min)(size, std::int64_t(64) * line); i += line)
       CGP_PREFETCH(from + i);
   };
-  const std::int64_t all = layout.panel_size(front.columns, front.rows_below);
-  prefetch(front.panel, front.rounded ? triangle : all);
-  if (front.rounded) prefetch(front.rounded, all - triangle);
+  const std::int64_t all = m_factor.layout().panel_size(front.columns, front.rows_below);
+  if (front.rounded)
+    prefetch(front.rounded, all);
+  else
+    prefetch(front.panel, all);
   CGP_PREFETCH(S.rows(s));
 }
 

@@ -31,7 +31,8 @@ internal::Elimination choose_elimination(const Sparse_pattern& pattern,
     return by_degree;
   internal::Elimination by_dissection(
       pattern, sweep_nested_dissection(pattern, *positions, by_degree.order()));
-  return by_dissection.operations() < by_degree.operations() ? by_dissection : by_degree;
+  if (by_dissection.operations() < by_degree.operations()) return by_dissection;
+  return by_degree;
 }
 
 std::shared_ptr<const internal::Supernodal_structure> choose_structure(

@@ -93,12 +93,6 @@ struct Panel_layout {
     return static_cast<std::int64_t>(blocks(columns) + blocks(rows_below)) * columns * cell();
   }
 
-  /// Numbers for the units of the columns of a rounded panel, which fill registers
-  CGP_ALWAYS_INLINE constexpr std::int64_t units_size(int columns) const
-  {
-    return static_cast<std::int64_t>(blocks(columns)) << log_lanes;
-  }
-
   /// Position in the panel of the first component of a row of the front, in column 0
   CGP_ALWAYS_INLINE constexpr int panel_row(int columns, int row) const
   {
@@ -152,14 +146,15 @@ struct Child_update {
 
 /// \brief A front with a factored panel, as input of the substitution.
 ///
-/// The rows below the triangle may be rounded, in each column to whole multiples of a unit.
+/// The panel may be rounded, in each column to whole multiples of a unit.
 template <class Real>
 struct Factored_front {
-  const Real* panel;  ///< the triangle, and the rows below unless they are rounded
+  const Real* panel;  ///< null if it is rounded
   int columns, rows_below;
   const int* rows;                        ///< positions of the rows below in the vector
-  const std::int16_t* rounded = nullptr;  ///< the rows below, null if they are in the panel
-  const Real* units = nullptr;            ///< of the columns of rounded rows
+  const std::int16_t* rounded = nullptr;  ///< the panel without its diagonal, null if not rounded
+  const Real* units = nullptr;            ///< of the columns of a rounded panel
+  const Real* inverses = nullptr;         ///< of its diagonal
 };
 
 /// \brief Substitution kernels of one front, for several right-hand sides at once, whose numbers
@@ -201,10 +196,15 @@ struct Front_kernels {
   void (*set_outer_product)(Real* update, const Real* below, int columns, int rows, int begin,
                             int end);
 
-  /// \brief Rounds row blocks below a triangle to whole multiples of units, one for each column, as
-  /// a factor of a matrix with a diagonal of about 1 allows: a column of less than 1e-30 becomes 0.
-  void (*round_below)(const Real* below, int columns, int blocks, std::int16_t* rounded,
-                      Real* units);
+  /// \brief Rounds what is below the diagonal of a factored panel to whole multiples of units, one
+  /// for each column, as a factor of a matrix with a diagonal of about 1 allows: a column of less
+  /// than 1e-30 becomes 0. The row after the diagonal makes up for the others, so that the sums of
+  /// columns stay.
+  /// \param panel is changed above the diagonal, which has no meaning there, and on it
+  /// \param rounded receives the panel, without the row blocks above the diagonal
+  /// \param units, inverses receive the units, and the inverses of the diagonal
+  void (*round_panel)(Real* panel, int columns, int row_blocks, std::int16_t* rounded, Real* units,
+                      Real* inverses);
 
   /// \brief Adds to the panel those columns of a child's update that are columns of the panel, in
   /// the rows begin <= row < end of the front.

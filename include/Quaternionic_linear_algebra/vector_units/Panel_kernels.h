@@ -144,20 +144,21 @@ class Panel_kernels {
   }
 
   /// \brief Rounds to whole multiples of units, see `Front_kernels`.
-  static void round_below(const Real* below, int columns, int blocks, std::int16_t* rounded,
-                          Real* units)
+  static void round_panel(Real* panel, int columns, int row_blocks, std::int16_t* rounded,
+                          Real* units, Real* inverses)
   {
     const std::int64_t stride = static_cast<std::int64_t>(columns) * cell;
-    for (int j = 0; j < columns; ++j, below += cell, rounded += cell) {
-      const Real largest = largest_of(below, stride, blocks);
-      const Real inverse = largest > Real(1e-30) ? 32767 / largest : Real(0);
-      units[j] = largest / 32767;
-      for (int b = 0; b < blocks; ++b)
-        for (int i = 0; i < cell; ++i) {
-          const Real x = below[b * stride + i] * inverse;
-          rounded[b * stride + i] = static_cast<std::int16_t>(
-              static_cast<int>(x < 0 ? x - Real(0.5) : x + Real(0.5)));  // to the nearest
-        }
+    for (int j = 0; j < columns; ++j) {
+      const int diagonal = j / lanes, lane = j % lanes;
+      Real* const corner = panel + place(columns, diagonal, j);
+      inverses[j] = 1 / corner[lane];
+      for (int q = 0; q < planes; ++q) internal::set_zero(corner + q * lanes, lane + 1);
+      std::int16_t* const to = rounded + place(columns, diagonal, j);
+      const int blocks = row_blocks - diagonal;
+      Real rest[cell] = {};
+      units[j] = round_column(corner, stride, blocks, to, rest);
+      const bool is_next_here = j + 1 < columns && lane + 1 < lanes;
+      if (is_next_here || blocks > 1) add_rest(rest, to + (is_next_here ? lane + 1 : stride));
     }
   }
 
@@ -165,6 +166,42 @@ class Panel_kernels {
   using Planes = Plane_products<planes>;
   static constexpr Panel_layout layout = Simd::layout(planes);
   static constexpr int group = Triangle::group;  // columns per kernel call
+
+  static constexpr int most_units = 32000, most_added = 700;  // fit in 16 bits together
+
+  // Rounds a column of some row blocks and adds to the rest what is left of it; returns its unit.
+  static CGP_ALWAYS_INLINE Real round_column(const Real* column, std::int64_t stride, int blocks,
+                                             std::int16_t* rounded, Real* rest)
+  {
+    const Real largest = largest_of(column, stride, blocks);
+    const Real inverse = largest > Real(1e-30) ? most_units / largest : Real(0);
+    for (int b = 0; b < blocks; ++b)
+      for (int i = 0; i < cell; ++i) {
+        const Real x = column[b * stride + i] * inverse;
+        const int number = nearest(x);
+        rounded[b * stride + i] = static_cast<std::int16_t>(number);
+        rest[i] += x - static_cast<Real>(number);
+      }
+    return largest / most_units;
+  }
+
+  // Gives the sum of the rest to one row: columns keep their sums, which smooth vectors see.
+  static CGP_ALWAYS_INLINE void add_rest(Real* rest, std::int16_t* row)
+  {
+    for (int half = lanes / 2; half > 0; half /= 2)
+      for (int q = 0; q < planes; ++q)
+        for (int l = 0; l < half; ++l) rest[q * lanes + l] += rest[q * lanes + l + half];
+    for (int q = 0; q < planes; ++q) {
+      const int sum = nearest(rest[q * lanes]);
+      const int added = internal::greatest(-most_added, internal::least(most_added, sum));
+      row[q * lanes] = static_cast<std::int16_t>(row[q * lanes] + added);
+    }
+  }
+
+  static CGP_ALWAYS_INLINE int nearest(Real x)
+  {
+    return static_cast<int>(x < 0 ? x - Real(0.5) : x + Real(0.5));
+  }
 
   // The largest absolute value of a column in some row blocks.
   static CGP_ALWAYS_INLINE Real largest_of(const Real* column, std::int64_t stride, int blocks)
@@ -175,9 +212,9 @@ class Panel_kernels {
         const Real x = column[b * stride + i], size = x < 0 ? -x : x;
         largest[i] = largest[i] < size ? size : largest[i];
       }
-    Real all = 0;
-    for (int i = 0; i < cell; ++i) all = internal::greatest(all, largest[i]);
-    return all;
+    for (int half = cell / 2; half > 0; half /= 2)
+      for (int i = 0; i < half; ++i) largest[i] = internal::greatest(largest[i], largest[i + half]);
+    return largest[0];
   }
 
   static CGP_ALWAYS_INLINE std::int64_t place(int columns, int block, int column)

@@ -64,15 +64,18 @@ class Row_block_kernels {
     for (int c = 0; c < columns; ++c) Planes::add_conjugate(acc[c], a, y[c]);
   }
 
-  /// y = (y - the sums of the lanes of acc) * inverse
-  static CGP_ALWAYS_INLINE void solve_row(const Accumulators& acc, Real inverse, Real* y)
+  /// y = (y - unit * the sums of the lanes of acc) * inverse
+  static CGP_ALWAYS_INLINE void solve_row(const Accumulators& acc, Real unit, Real inverse, Real* y)
   {
     Register totals[numbers];
     CGP_UNROLL(8)
     for (int i = 0; i < numbers; ++i) totals[i] = acc[i / planes][i % planes];
     sum_lanes<Unit, Real>(totals);
     CGP_UNROLL(8)
-    for (int i = 0; i < numbers; ++i) y[i] = (y[i] - totals[i / lanes][i % lanes]) * inverse;
+    for (int i = 0; i < numbers; ++i) {
+      const Real total = unit * totals[i / lanes][i % lanes];
+      y[i] = (y[i] - total) * inverse;
+    }
   }
 
   /// Inserts a row in its lane
@@ -124,36 +127,65 @@ class Substitution_kernels {
 
   static void forward(const Front& front, Real* y, Real* below)
   {
-    const int k = front.columns;
-    solve_triangle(front.panel, k, y);
     if constexpr (can_be_rounded)
-      if (front.rounded) {
-        alignas(64) Real multiples[max_panel_width * numbers];
-        for (int j = 0; j < k; ++j)
-          for (int i = 0; i < numbers; ++i)
-            multiples[j * numbers + i] = front.units[j] * y[j * numbers + i];
-        return forward_rows(front, front.rounded, multiples, below);
-      }
-    forward_rows(front, rows_below(front), y, below);
+      if (front.rounded)
+        return forward(Rounded{front.rounded, front.units, front.inverses}, front, y, below);
+    forward(Plain{front.panel, front.columns}, front, y, below);
   }
 
   static void backward(const Front& front, Real* y, const Real* x)
   {
-    const int k = front.columns;
-    alignas(64) Real sums[max_panel_width * wide];
-    internal::set_zero(sums, k * wide);
-    if (can_be_rounded && front.rounded) {
-      backward_rows(front, front.rounded, x, sums);
-      for (int j = 0; j < k; ++j)
-        for (int i = 0; i < wide; ++i) sums[j * wide + i] *= front.units[j];
-    } else {
-      backward_rows(front, rows_below(front), x, sums);
-    }
-    solve_conjugate_triangle(front.panel, k, sums, y);
+    if constexpr (can_be_rounded)
+      if (front.rounded)
+        return backward(Rounded{front.rounded, front.units, front.inverses}, front, y, x);
+    backward(Plain{front.panel, front.columns}, front, y, x);
   }
 
  private:
   static constexpr bool can_be_rounded = sizeof(Real) == sizeof(float);
+
+  // A panel of numbers.
+  struct Plain {
+    static constexpr bool has_units = false;
+    const Real* L;
+    int k;
+
+    CGP_ALWAYS_INLINE Real unit(int) const { return 1; }
+    CGP_ALWAYS_INLINE Real inverse(int j) const
+    {
+      return 1 / L[(j / lanes * k + j) * cell + j % lanes];
+    }
+  };
+
+  // A panel of whole multiples of units.
+  struct Rounded {
+    static constexpr bool has_units = true;
+    const std::int16_t* L;
+    const Real *units, *inverses;
+
+    CGP_ALWAYS_INLINE Real unit(int j) const { return units[j]; }
+    CGP_ALWAYS_INLINE Real inverse(int j) const { return inverses[j]; }
+  };
+
+  template <class Panel>
+  static CGP_ALWAYS_INLINE void forward(const Panel& panel, const Front& front, Real* y,
+                                        Real* below)
+  {
+    alignas(64) Real scaled[Panel::has_units ? max_panel_width * numbers : 1];
+    Real* const multiples = Panel::has_units ? scaled : y;
+    solve_triangle(panel, front.columns, y, multiples);
+    forward_rows(front, rows_below(panel, front), multiples, below);
+  }
+
+  template <class Panel>
+  static CGP_ALWAYS_INLINE void backward(const Panel& panel, const Front& front, Real* y,
+                                         const Real* x)
+  {
+    alignas(64) Real sums[max_panel_width * wide];
+    internal::set_zero(sums, front.columns * wide);
+    backward_rows(front, rows_below(panel, front), x, sums);
+    solve_conjugate_triangle(panel, front.columns, sums, y);
+  }
 
   static CGP_ALWAYS_INLINE void add_row(Real* to, const Real* from)
   {
@@ -163,10 +195,11 @@ class Substitution_kernels {
   // Below the triangle two row blocks are processed at a time if the registers suffice: each
   // right-hand side is loaded half as often, and latencies overlap. The order of operations is the
   // same as one by one.
-  static CGP_ALWAYS_INLINE const Real* rows_below(const Front& front)
+  template <class Panel>
+  static CGP_ALWAYS_INLINE auto rows_below(const Panel& panel, const Front& front)
   {
     const std::int64_t triangle = (front.columns + lanes - 1) / lanes;
-    return front.panel + triangle * front.columns * cell;
+    return panel.L + triangle * front.columns * cell;
   }
 
   template <class Stored>
@@ -195,8 +228,11 @@ class Substitution_kernels {
       backward_below<1>(L, k, front.rows + row, u - row, x, sums);
   }
 
-  static CGP_ALWAYS_INLINE void solve_triangle(const Real* L, int k, Real* y)
+  // Computes y, and its multiples by the units of the columns unless these are the same numbers.
+  template <class Panel>
+  static CGP_ALWAYS_INLINE void solve_triangle(const Panel& panel, int k, Real* y, Real* multiples)
   {
+    const auto* const L = panel.L;
     const int triangle = (k + lanes - 1) / lanes;
     alignas(64) Real block[most_blocks * wide] = {};
     for (int j = 0; j < k; ++j)
@@ -204,13 +240,15 @@ class Substitution_kernels {
         block[j / lanes * wide + i * lanes + j % lanes] = y[j * numbers + i];
     for (int j = 0; j < k; ++j) {
       const int diagonal = j / lanes;
-      const Real inverse = 1 / L[(diagonal * k + j) * cell + j % lanes];
-      for (int i = 0; i < numbers; ++i)
-        y[j * numbers + i] = block[diagonal * wide + i * lanes + j % lanes] * inverse;
+      const Real inverse = panel.inverse(j), scale = panel.unit(j) * inverse;
+      const Real* const row = block + diagonal * wide + j % lanes;
+      for (int i = 0; i < numbers; ++i) y[j * numbers + i] = row[i * lanes] * inverse;
+      if (Panel::has_units)
+        for (int i = 0; i < numbers; ++i) multiples[j * numbers + i] = row[i * lanes] * scale;
       for (int b = diagonal; b < triangle; ++b) {
         Accumulators acc;
         Kernels::load(block + b * wide, acc);
-        Kernels::subtract(acc, L + (b * k + j) * cell, y + j * numbers);
+        Kernels::subtract(acc, L + (b * k + j) * cell, multiples + j * numbers);
         Kernels::store(block + b * wide, acc);
       }
     }
@@ -260,9 +298,11 @@ class Substitution_kernels {
     }
   }
 
-  static CGP_ALWAYS_INLINE void solve_conjugate_triangle(const Real* L, int k, const Real* sums,
-                                                         Real* y)
+  template <class Panel>
+  static CGP_ALWAYS_INLINE void solve_conjugate_triangle(const Panel& panel, int k,
+                                                         const Real* sums, Real* y)
   {
+    const auto* const L = panel.L;
     const int triangle = (k + lanes - 1) / lanes;
     alignas(64) Real block[most_blocks * wide];
     for (int own = triangle - 1; own >= 0; --own) {
@@ -275,7 +315,7 @@ class Substitution_kernels {
           Kernels::add_conjugate(acc, L + (b * k + j) * cell, later);
         }
         Kernels::add_conjugate(acc, L + (own * k + j) * cell, z);
-        Kernels::solve_row(acc, 1 / L[(own * k + j) * cell + j % lanes], y + j * numbers);
+        Kernels::solve_row(acc, panel.unit(j), panel.inverse(j), y + j * numbers);
         Kernels::set_lane(z, j % lanes, y + j * numbers);
       }
       Kernels::store(block + own * wide, z);

@@ -28,7 +28,7 @@ Front_kernels<Real> unit_kernels_of()
           Panel::factor_panel,
           Panel::solve_below,
           Panel::set_outer_product,
-          Panel::round_below,
+          Panel::round_panel,
           Add::add_to_panel,
           Add::add_to_update,
           {Single::add_child, Single::forward, Single::backward},

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <vector>
 
 namespace cgp_test::front_kernels_tests {
 
@@ -163,23 +164,40 @@ TYPED_TEST(Front_kernels, round_each_column_to_multiples_of_a_unit)
   using Stored = typename TypeParam::Real;
   on_every_unit([&] {
     const auto kernels = TypeParam::kernels();
-    const int width = 5, blocks = 3, cell = kernels.layout.cell();
+    const auto& layout = kernels.layout;
+    const int width = 5, blocks = layout.blocks(width) + 2, cell = layout.cell();
     CGP::internal::Aligned_array<Stored> numbers;
     CGP::internal::Aligned_array<std::int16_t> rounded;
     numbers.resize(blocks * width * cell);
     rounded.resize(numbers.size());
-    Stored units[width];
+    Stored units[width], inverses[width];
     for (int i = 0; i < numbers.size(); ++i)  // column 2 is too small, column 3 zero
-      numbers.data()[i] = static_cast<Stored>(std::sin(i) * std::pow(10., i / cell % width * -20) *
-                                              (i / cell % width != 3));
-    kernels.round_below(numbers.data(), width, blocks, rounded.data(), units);
-    for (int i = 0; i < numbers.size(); ++i) {
-      const Stored unit = units[i / cell % width];
-      EXPECT_NEAR(unit * rounded.data()[i], numbers.data()[i],
-                  i / cell % width < 2 ? 0.5001 * unit : Stored(1e-30));
-      EXPECT_LE(unit, Stored(1.0001) / 32767);
+      numbers.data()[i] = static_cast<Stored>(std::sin(i + 1) * (i / cell % width != 3) *
+                                              std::pow(10., i / cell % width * -20));
+    const std::vector<Stored> before(numbers.data(), numbers.data() + numbers.size());
+    kernels.round_panel(numbers.data(), width, blocks, rounded.data(), units, inverses);
+    for (int j = 0; j < width; ++j) {
+      const int diagonal = static_cast<int>(layout.in_panel(width, j, j));
+      const Stored unit = units[j], number = before[static_cast<std::size_t>(diagonal)];
+      EXPECT_LE(unit, Stored(1.0001) / 32000);
+      int far = 0;
+      std::vector<double> sums(static_cast<std::size_t>(TypeParam::planes), 0.);
+      for (int i = layout.block(j) * width * cell; i < numbers.size(); ++i) {
+        if (i / cell % width != j) continue;
+        const bool is_above =
+            i / cell / width == layout.block(j) && i % layout.lanes() <= layout.lane(j);
+        const double exact = is_above ? 0 : before[static_cast<std::size_t>(i)];
+        const double error = double(unit) * rounded.data()[i] - exact;
+        EXPECT_LE(std::abs(error), j < 2 ? 100. * unit : 1e-30);
+        far += std::abs(error) > 0.51 * unit;
+        sums[static_cast<std::size_t>(i % cell / layout.lanes())] += error;
+      }
+      if (j >= 2) continue;
+      EXPECT_NEAR(inverses[j] * number, 1, 1e-6);
+      EXPECT_LE(far, TypeParam::planes) << "one row makes up for the others";
+      for (const double sum : sums) EXPECT_LE(std::abs(sum), 0.6 * unit);
     }
-    EXPECT_GT(units[1], Stored(0.9e-20) / 32767);
+    EXPECT_GT(units[1], Stored(0.9e-20) / 32000);
   });
 }
 

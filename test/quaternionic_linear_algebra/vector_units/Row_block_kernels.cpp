@@ -97,11 +97,11 @@ TYPED_TEST(Row_block_kernels, solve_a_row_for_the_sums_of_the_lanes)
 {
   double y[TestFixture::numbers];
   std::copy(this->row, this->row + this->numbers, y);
-  TestFixture::Kernels::solve_row(this->acc, 0.5, y);
+  TestFixture::Kernels::solve_row(this->acc, 4, 0.5, y);
   for (int i = 0; i < this->numbers; ++i) {
     double sum = 0;
     for (int l = 0; l < this->lanes; ++l) sum += this->before[i * this->lanes + l];
-    EXPECT_EQ(y[i], (this->row[i] - sum) / 2);
+    EXPECT_EQ(y[i], (this->row[i] - 4 * sum) / 2);
   }
 }
 
