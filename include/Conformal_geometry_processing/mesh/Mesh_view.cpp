@@ -7,16 +7,17 @@
 #include <Eigen/Geometry>
 
 #include <limits>
+#include <memory>
 #include <numeric>
 #include <string>
 
 namespace Conformal_geometry_processing {
 
 Mesh_view::Mesh_view(Points positions, Corners corners)
-    : m_positions(std::move(positions)), m_corners(std::move(corners))
+    : m_positions(std::move(positions)),
+      m_connectivity(std::make_shared<const internal::Mesh_connectivity>(std::move(corners),
+                                                                         size_of_vertices()))
 {
-  check_corners();
-  find_edges();
   measure_areas();
 }
 
@@ -32,22 +33,9 @@ void Mesh_view::set_positions(Points positions)
 
 void Mesh_view::measure_areas()
 {
-  m_areas.resize(m_corners.size());
+  m_areas.resize(corners().size());
   for (int f = 0; f < size_of_faces(); ++f)
     m_areas[index(f)] = stable_norm(double_area_vector(f)) / 2;
-}
-
-// Everything below reads and writes arrays at these indices.
-void Mesh_view::check_corners() const
-{
-  if (m_corners.size() > index((std::numeric_limits<int>::max)() / 3))
-    throw Precondition_error("Mesh_view", "there are more faces than an int can count halfedges");
-  for (std::size_t f = 0; f < m_corners.size(); ++f)
-    for (int v : m_corners[f])
-      if (v < 0 || v >= size_of_vertices())
-        throw Precondition_error("Mesh_view", "face " + std::to_string(f) + " has the corner " +
-                                                  std::to_string(v) + "; vertices are 0 to " +
-                                                  std::to_string(size_of_vertices() - 1));
 }
 
 Eigen::Vector3d Mesh_view::double_area_vector(int f, const Points& positions) const
@@ -71,49 +59,74 @@ Sheet Mesh_view::sheet(int f) const
   return sheet;
 }
 
-// Buckets the halfedges by their lower end and sorts each bucket by the higher end. This needs no
-// hash map, and the numbering depends only on the faces.
-void Mesh_view::find_edges()
+namespace internal {
+
+Mesh_connectivity::Mesh_connectivity(Corners faces, int size_of_vertices)
+    : corners(std::move(faces))
 {
-  std::vector<int> bucket(index(size_of_vertices()) + 1, 0);
-  for (int h = 0; h < size_of_halfedges(); ++h) ++bucket[index(low(h)) + 1];
-  std::partial_sum(bucket.begin(), bucket.end(), bucket.begin());
-  m_halfedges.resize(index(size_of_halfedges()));
-  std::vector<int> slot(bucket.begin(), bucket.end() - 1);
-  for (int h = 0; h < size_of_halfedges(); ++h) m_halfedges[index(slot[index(low(h))]++)] = h;
-  for (int v = 0; v < size_of_vertices(); ++v)
-    std::sort(m_halfedges.begin() + bucket[index(v)], m_halfedges.begin() + bucket[index(v) + 1],
-              [this](int g, int h) { return std::pair(high(g), g) < std::pair(high(h), h); });
+  check_corners(size_of_vertices);
+  sort_halfedges(size_of_vertices);
   number_edges();
   pair_halfedges();
 }
 
-void Mesh_view::number_edges()
+// Everything below reads and writes arrays at these indices.
+void Mesh_connectivity::check_corners(int size_of_vertices) const
 {
-  m_edges.resize(m_halfedges.size());
-  m_ends.reserve(m_halfedges.size() / 2);
-  m_first.reserve(m_halfedges.size() / 2 + 1);
-  for (int k = 0; k < size_of_halfedges(); ++k) {
-    const int h = m_halfedges[index(k)];
-    const int i = low(h), j = high(h);
-    if (m_ends.empty() || m_ends.back()[0] != i || m_ends.back()[1] != j) {
-      m_first.push_back(k);
-      m_ends.push_back({i, j});
-    }
-    m_edges[index(h)] = size_of_edges() - 1;
-  }
-  m_first.push_back(size_of_halfedges());
+  if (corners.size() > index((std::numeric_limits<int>::max)() / 3))
+    throw Precondition_error("Mesh_view", "there are more faces than an int can count halfedges");
+  for (std::size_t f = 0; f < corners.size(); ++f)
+    for (int v : corners[f])
+      if (v < 0 || v >= size_of_vertices)
+        throw Precondition_error("Mesh_view", "face " + std::to_string(f) + " has the corner " +
+                                                  std::to_string(v) + "; vertices are 0 to " +
+                                                  std::to_string(size_of_vertices - 1));
 }
 
-void Mesh_view::pair_halfedges()
+// Buckets the halfedges by their lower end and sorts each bucket by the higher end. This needs no
+// hash map, and the numbering depends only on the faces.
+void Mesh_connectivity::sort_halfedges(int size_of_vertices)
 {
-  m_twins.assign(m_halfedges.size(), -1);
-  for (int k = 0; k < size_of_edges(); ++k) {
-    if (halfedges_end(k) - halfedges_begin(k) != 2) continue;
-    const int g = halfedges_begin(k)[0], h = halfedges_begin(k)[1];
-    m_twins[index(g)] = h;
-    m_twins[index(h)] = g;
+  const int count = static_cast<int>(3 * corners.size());
+  std::vector<int> bucket(index(size_of_vertices) + 1, 0);
+  for (int h = 0; h < count; ++h) ++bucket[index(low(h)) + 1];
+  std::partial_sum(bucket.begin(), bucket.end(), bucket.begin());
+  halfedges.resize(index(count));
+  std::vector<int> slot(bucket.begin(), bucket.end() - 1);
+  for (int h = 0; h < count; ++h) halfedges[index(slot[index(low(h))]++)] = h;
+  for (int v = 0; v < size_of_vertices; ++v)
+    std::sort(halfedges.begin() + bucket[index(v)], halfedges.begin() + bucket[index(v) + 1],
+              [this](int g, int h) { return std::pair(high(g), g) < std::pair(high(h), h); });
+}
+
+void Mesh_connectivity::number_edges()
+{
+  edges.resize(halfedges.size());
+  ends.reserve(halfedges.size() / 2);
+  first.reserve(halfedges.size() / 2 + 1);
+  for (std::size_t k = 0; k < halfedges.size(); ++k) {
+    const int h = halfedges[k];
+    const std::array<int, 2> own{low(h), high(h)};
+    if (ends.empty() || ends.back() != own) {
+      first.push_back(static_cast<int>(k));
+      ends.push_back(own);
+    }
+    edges[index(h)] = static_cast<int>(ends.size()) - 1;
+  }
+  first.push_back(static_cast<int>(halfedges.size()));
+}
+
+void Mesh_connectivity::pair_halfedges()
+{
+  twins.assign(halfedges.size(), -1);
+  for (std::size_t k = 0; k < ends.size(); ++k) {
+    if (first[k + 1] - first[k] != 2) continue;
+    const int g = halfedges[index(first[k])], h = halfedges[index(first[k]) + 1];
+    twins[index(g)] = h;
+    twins[index(h)] = g;
   }
 }
+
+}  // namespace internal
 
 }  // namespace Conformal_geometry_processing

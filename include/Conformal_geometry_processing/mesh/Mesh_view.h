@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -34,6 +35,40 @@ struct Sheet {
 /// one point or vector of R^3 per column
 using Points = Eigen::Matrix3Xd;
 
+namespace internal {
+
+/// \ingroup PkgMesh
+/// \brief what the faces of a `Mesh_view` are without positions; its copies share it.
+struct Mesh_connectivity {
+  using Corners = std::vector<std::array<int, 3>>;
+
+  Mesh_connectivity() = default;
+
+  /// \throw Precondition_error, see `Mesh_view`
+  Mesh_connectivity(Corners faces, int size_of_vertices);
+
+  int from(int h) const { return corners[index(h / 3)][index((h + 1) % 3)]; }
+  int to(int h) const { return corners[index(h / 3)][index((h + 2) % 3)]; }
+
+  Corners corners;                       // |F|
+  std::vector<int> halfedges;            // all of them, sorted by edge
+  std::vector<int> first;                // |E| + 1: where an edge begins in halfedges
+  std::vector<std::array<int, 2>> ends;  // |E|
+  std::vector<int> edges, twins;         // 3 |F|
+
+ private:
+  static std::size_t index(int i) { return static_cast<std::size_t>(i); }
+  int low(int h) const { return (std::min)(from(h), to(h)); }
+  int high(int h) const { return (std::max)(from(h), to(h)); }
+
+  void check_corners(int size_of_vertices) const;
+  void sort_halfedges(int size_of_vertices);
+  void number_edges();
+  void pair_halfedges();
+};
+
+}  // namespace internal
+
 /// \ingroup PkgMesh
 /// \brief a triangle mesh as flat arrays: the input of all kernels of the library.
 ///
@@ -47,7 +82,7 @@ using Points = Eigen::Matrix3Xd;
 /// names the offending element. O(|V| + |F|). A model of `ConformalSurface`.
 class Mesh_view {
  public:
-  using Corners = std::vector<std::array<int, 3>>;
+  using Corners = internal::Mesh_connectivity::Corners;
 
   Mesh_view() = default;
 
@@ -58,8 +93,8 @@ class Mesh_view {
   Mesh_view(Points positions, Corners corners);
 
   int size_of_vertices() const { return static_cast<int>(m_positions.cols()); }
-  int size_of_faces() const { return static_cast<int>(m_corners.size()); }
-  int size_of_edges() const { return static_cast<int>(m_ends.size()); }
+  int size_of_faces() const { return static_cast<int>(corners().size()); }
+  int size_of_edges() const { return static_cast<int>(ends().size()); }
   int size_of_halfedges() const { return 3 * size_of_faces(); }
 
   const Points& positions() const { return m_positions; }
@@ -69,12 +104,12 @@ class Mesh_view {
   /// \throw Precondition_error if there are not |V| of them
   void set_positions(Points positions);
 
-  const Corners& corners() const { return m_corners; }
-  const std::array<int, 3>& corners(int f) const { return m_corners[index(f)]; }
+  const Corners& corners() const { return m_connectivity->corners; }
+  const std::array<int, 3>& corners(int f) const { return corners()[index(f)]; }
 
   /// the ends of halfedge h, from -> to
-  int from(int h) const { return m_corners[index(h / 3)][index((h + 1) % 3)]; }
-  int to(int h) const { return m_corners[index(h / 3)][index((h + 2) % 3)]; }
+  int from(int h) const { return m_connectivity->from(h); }
+  int to(int h) const { return m_connectivity->to(h); }
   static int face(int h) { return h / 3; }
 
   /// the next and the previous halfedge around the same face
@@ -85,21 +120,27 @@ class Mesh_view {
   Eigen::Vector3d vector(int h) const { return position(to(h)) - position(from(h)); }
 
   /// the opposite halfedge in the neighbouring face, -1 at the boundary
-  int twin(int h) const { return m_twins[index(h)]; }
+  int twin(int h) const { return m_connectivity->twins[index(h)]; }
 
   /// the number of the edge of halfedge h
-  int edge(int h) const { return m_edges[index(h)]; }
+  int edge(int h) const { return m_connectivity->edges[index(h)]; }
 
   /// the ends i < j of edge k, which is oriented i -> j; edges are sorted by (i, j)
-  const std::array<int, 2>& ends(int k) const { return m_ends[index(k)]; }
+  const std::array<int, 2>& ends(int k) const { return ends()[index(k)]; }
 
   /// the ends of all edges
-  const std::vector<std::array<int, 2>>& ends() const { return m_ends; }
+  const std::vector<std::array<int, 2>>& ends() const { return m_connectivity->ends; }
 
   /// the halfedges along edge k: two opposite ones in the interior, one at the boundary, more where
   /// the mesh is not a manifold
-  const int* halfedges_begin(int k) const { return m_halfedges.data() + m_first[index(k)]; }
-  const int* halfedges_end(int k) const { return m_halfedges.data() + m_first[index(k) + 1]; }
+  const int* halfedges_begin(int k) const
+  {
+    return m_connectivity->halfedges.data() + m_connectivity->first[index(k)];
+  }
+  const int* halfedges_end(int k) const
+  {
+    return m_connectivity->halfedges.data() + m_connectivity->first[index(k) + 1];
+  }
 
   /// e_0 x e_1 of face f: the outward normal with twice the area as length
   Eigen::Vector3d double_area_vector(int f) const { return double_area_vector(f, m_positions); }
@@ -113,22 +154,13 @@ class Mesh_view {
 
  private:
   static std::size_t index(int i) { return static_cast<std::size_t>(i); }
-  int low(int h) const { return (std::min)(from(h), to(h)); }
-  int high(int h) const { return (std::max)(from(h), to(h)); }
 
-  void check_corners() const;
-  void find_edges();
-  void number_edges();
-  void pair_halfedges();
   void measure_areas();
 
-  Points m_positions;                      // 3 x |V|
-  Corners m_corners;                       // |F|
-  std::vector<int> m_halfedges;            // all of them, sorted by edge
-  std::vector<int> m_first;                // |E| + 1: where an edge begins in m_halfedges
-  std::vector<std::array<int, 2>> m_ends;  // |E|
-  std::vector<int> m_edges, m_twins;       // 3 |F|
-  std::vector<double> m_areas;             // |F|: sheets are read in every loop
+  Points m_positions;  // 3 x |V|
+  std::shared_ptr<const internal::Mesh_connectivity> m_connectivity =
+      std::make_shared<const internal::Mesh_connectivity>();
+  std::vector<double> m_areas;  // |F|: sheets are read in every loop
 };
 
 }  // namespace Conformal_geometry_processing

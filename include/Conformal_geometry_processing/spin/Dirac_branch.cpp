@@ -12,37 +12,31 @@ namespace Conformal_geometry_processing::internal {
 Dirac_branch::Dirac_branch(System& system, const Curvature_potential& rho,
                            const Dirac_options& options, Dirac_solution& s,
                            const Go_further& go_further)
-    : m_system(system),
-      m_rho(rho),
-      m_options(options),
-      m_s(s),
-      m_go_further(go_further),
-      m_one(Quaternion_vector<double>::Constant(system.areas().size(), {1, 0, 0, 0}))
+    : m_system(system), m_rho(rho), m_options(options), m_s(s), m_go_further(go_further)
 {
-  m_s.lambda = m_one;
-  add(m_one);
+  m_s.lambda = Quaternion_vector<double>::Constant(system.areas().size(), {1, 0, 0, 0});
+  add(m_s.lambda);
 }
 
 void Dirac_branch::solve()
 {
   Branch_point at, next;
   double end = 1;
-  place_pole(1, dirac_quotient(m_system.surface(), m_rho, m_one));
+  place_pole(1, dirac_quotient(m_system.surface(), m_rho, m_s.lambda));
   extend(1);
   for (m_s.substeps = 1; m_s.substeps <= m_options.max_substeps; ++m_s.substeps) {
     next = predict(at, end);
     if (!is_near_pole(next)) place_pole(next.t, next.gamma);
-    const Quaternion_vector<double> before = m_s.lambda;
     const Branch_point predicted = next;
-    m_s.lambda = combination(m_span, Vectors(next.c)).col(0);
+    m_s.lambda = in_span(next);
     // Where the end of the branch is predicted from afar, it is looked at before it is computed.
     const bool is_sure = m_s.substeps == 1 && !predicted.is_settled;
     refine(next, next.t == 1 && is_sure ? m_options.tolerance : 1e-3);
-    if (next.t == 1 && !is_sure && is_as_predicted(at, before, predicted, next))
+    if (next.t == 1 && !is_sure && is_as_predicted(at, predicted, next))
       refine(next, m_options.tolerance);
     if (m_s.cancelled || (!m_s.converged && m_s.iterations >= m_options.max_iterations)) break;
-    if (!is_as_predicted(at, before, predicted, next)) {
-      m_s.lambda = before;
+    if (!is_as_predicted(at, predicted, next)) {
+      m_s.lambda = in_span(at);
       if (predicted.is_settled) {  // a stage that is tried again with less trust does not count
         m_may_settle = false;
         --m_s.substeps;
@@ -81,28 +75,25 @@ bool Dirac_branch::is_near_pole(const Branch_point& p) const
   return p.t == m_pole.t && std::abs(p.gamma - m_pole.gamma) <= p.least_gap / 4;
 }
 
-bool Dirac_branch::turns_off(const Branch_point& from, const Quaternion_vector<double>& before,
-                             const Branch_point& to) const
+bool Dirac_branch::turns_off(const Branch_point& from, const Branch_point& to) const
 {
   const double shortest = 1. / 16, greatest_bend = 0.2, step = to.t - from.t;
   if (step <= shortest) return false;
   const auto mean = [&](const Quaternion_vector<double>& lambda) {
     return potential_quotient(m_system.surface(), m_rho, lambda);
   };
-  const double expected = -step * (mean(before) + mean(m_s.lambda)) / 2;
+  const double expected = -step * (mean(in_span(from)) + mean(m_s.lambda)) / 2;
   return std::abs(to.gamma - from.gamma - expected) > greatest_bend * to.least_gap;
 }
 
-bool Dirac_branch::is_as_predicted(const Branch_point& from,
-                                   const Quaternion_vector<double>& before,
-                                   const Branch_point& predicted, const Branch_point& to) const
+bool Dirac_branch::is_as_predicted(const Branch_point& from, const Branch_point& predicted,
+                                   const Branch_point& to) const
 {
-  const Quaternion_vector<double> expected = combination(m_span, Vectors(predicted.c)).col(0);
-  if (m_system.overlap(m_s.lambda, expected) < same_vector) return false;
+  if (m_system.overlap(m_s.lambda, in_span(predicted)) < same_vector) return false;
   const double greatest_error = 0.2;
   return predicted.is_settled
              ? std::abs(to.gamma - predicted.gamma) <= greatest_error * to.least_gap
-             : !turns_off(from, before, to);
+             : !turns_off(from, to);
 }
 
 bool Dirac_branch::add(Quaternion_vector<double> v)
@@ -133,7 +124,7 @@ void Dirac_branch::forget_early_vectors()
   m_gram.forget_all_but(kept);
 }
 
-Branch_point Dirac_branch::predict(Branch_point first, double end)
+Branch_point Dirac_branch::predict(Branch_point& first, double end)
 {
   const double step = 1. / 48;
   Branch_point p;
@@ -163,7 +154,7 @@ void Dirac_branch::conclude(const Branch_point& p)
   m_s.spectral_shift = m_pole.gamma;
   m_s.gap = std::isfinite(p.gap) ? p.gap : 0;
   m_s.branch_gap = std::isfinite(p.least_gap) ? p.least_gap : 0;
-  m_s.overlap = m_system.overlap(m_s.lambda, m_one);
+  m_s.overlap = m_system.overlap_with_identity(m_s.lambda);
   m_s.lambda = m_system.normalized(std::move(m_s.lambda));
 }
 
@@ -225,9 +216,11 @@ void Dirac_branch::smallest(Branch_point& at, double tolerance)
     p.iteration += done;
     return m_go_further(p);
   };
+  Vectors start = m_s.lambda;
+  m_s.lambda.resize(0);  // leaves its memory to the eigensolver
   const Eigensolver_result r =
       m_options.eigensolver(m_system.matrix(), m_system.areas(), m_system.solver(),
-                            Vectors(m_s.lambda), options, go_further);
+                            std::move(start), options, go_further);
   m_s.lambda = r.vectors.col(0);
   m_s.energy = r.values[0];
   m_s.residual = r.estimates[0];

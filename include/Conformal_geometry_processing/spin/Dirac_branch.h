@@ -7,6 +7,7 @@
 #include <Conformal_geometry_processing/spin/Dirac_system.h>
 #include <Conformal_geometry_processing/spin/follow_branch.h>
 #include <Quaternionic_linear_algebra/algebra/Quaternion_vector.h>
+#include <Quaternionic_linear_algebra/dense/block_operators.h>
 #include <Quaternionic_linear_algebra/krylov/Eigensolver_result.h>
 
 #include <Eigen/Core>
@@ -74,16 +75,20 @@ class Dirac_branch {
   ///
   /// A rough span couples branches that cross, and may turn off without a jump of its vectors.
   /// Short stages count as right, because branches that repel each other do bend.
-  /// \param before vector at `from`; that at `to` is the present one
-  bool turns_off(const Branch_point& from, const Quaternion_vector<double>& before,
-                 const Branch_point& to) const;
+  /// The vector at `to` is the present one.
+  bool turns_off(const Branch_point& from, const Branch_point& to) const;
 
   /// \brief whether the present vector and its eigenvalue are those that the span predicted.
   ///
   /// Where the span contains the branch, it predicts eigenvalues up to the square of its error.
-  /// \param before vector at `from`
-  bool is_as_predicted(const Branch_point& from, const Quaternion_vector<double>& before,
-                       const Branch_point& predicted, const Branch_point& to) const;
+  bool is_as_predicted(const Branch_point& from, const Branch_point& predicted,
+                       const Branch_point& to) const;
+
+  /// the vector of a point on the branch, which the span contains
+  Quaternion_vector<double> in_span(const Branch_point& p) const
+  {
+    return combination(m_span, Vectors(p.c)).col(0);
+  }
 
   /// adds a vector to the span, unless it is in it
   bool add(Quaternion_vector<double> v);
@@ -97,7 +102,8 @@ class Dirac_branch {
 
   /// the end of a stage that begins at `first`: on its branch, as near to `end` as the span can be
   /// trusted, which is extended if necessary
-  Branch_point predict(Branch_point first, double end);
+  /// \param first receives the coefficients of the present vector
+  Branch_point predict(Branch_point& first, double end);
 
   /// \brief makes s.lambda the eigenvector near its present value at p.t, and p.gamma its
   /// eigenvalue.
@@ -143,7 +149,6 @@ class Dirac_branch {
   const Dirac_options& m_options;
   Dirac_solution& m_s;
   const Go_further& m_go_further;
-  const Quaternion_vector<double> m_one;
   Vectors m_span;     // orthonormal with respect to the vertex areas
   Dirac_gram m_gram;  // of the span, without the vectors added since the last prediction
   Branch_point m_pole;

@@ -180,7 +180,12 @@ class Spin_transformation {
   /// `go_further` calls back one of the functions that compute
   /// \throw Solver_error if a factorization fails. Failure to converge is a field of the report.
   Spin_result transform(const Curvature_potential& rho,
-                        const internal::Go_further& go_further = internal::Always_go_further());
+                        const internal::Go_further& go_further = internal::Always_go_further()) &;
+
+  /// the last transformation by this object: needs less memory, because the factor of the Laplacian
+  /// does not exist together with that by which the result is judged
+  Spin_result transform(const Curvature_potential& rho,
+                        const internal::Go_further& go_further = internal::Always_go_further()) &&;
 
   /// \brief approximates `transform()` for a rho that changes little from call to call, as under a
   /// brush: where lengths are bounded or loops have to close, by a few steps from the spins of the
@@ -321,6 +326,7 @@ class Spin_transformation {
   internal::Visit_guard m_visits;
   Spin_transformation_options m_options;
   std::unique_ptr<Stage> m_stage;
+  bool m_is_last = false;    // no call follows
   Spin_report m_unreported;  // costs of `exactness()`
 };
 

@@ -17,7 +17,14 @@
 namespace Conformal_geometry_processing {
 
 Spin_result Spin_transformation::transform(const Curvature_potential& rho,
-                                           const internal::Go_further& go_further)
+                                           const internal::Go_further& go_further) &&
+{
+  m_is_last = true;
+  return transform(rho, go_further);
+}
+
+Spin_result Spin_transformation::transform(const Curvature_potential& rho,
+                                           const internal::Go_further& go_further) &
 {
   const internal::Thread_team team;
   m_visits.require_no_visit(m_function);
@@ -27,6 +34,8 @@ Spin_result Spin_transformation::transform(const Curvature_potential& rho,
   if (!is_relaxed() && !result.report.cancelled) {
     system().release();  // that of the Laplacian is the only factor then
     reconstruct(result);
+    if (m_is_last && !m_options.exact_conformal_class)
+      m_stage->poisson.reset();  // another factor of its size judges
   }
   const bool is_found = result.report.converged && !result.report.cancelled;
   if (m_options.exact_conformal_class && is_found)
