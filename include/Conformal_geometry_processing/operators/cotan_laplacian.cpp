@@ -37,7 +37,7 @@ void assemble_cotan_laplacian(const Surface_ref& surface, const Eigen::VectorXd&
   for (int k = 0; k < surface.size_of_edges(); ++k) {
     const auto [i, j] = surface.ends(k);
     if (i == j) continue;
-    L.value(L.pattern().find(j, i)) -= w[k];
+    L.value(internal::entry_position(L.pattern(), j, i, k)) -= w[k];
     for (const int v : {i, j}) L.value(diagonal_position(L.pattern(), v)) += w[k];
   }
 }
