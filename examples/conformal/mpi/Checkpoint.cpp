@@ -14,18 +14,27 @@
 namespace conformal::mpi {
 namespace {
 
-const std::size_t bytes_of_row = 4 * sizeof(double);
-
 /// what precedes the rows: a line of JSON, filled up to a fixed length
-std::string head_of(const std::string& job, const Branch_state& state)
+std::string head_of(const std::string& job, const Search_state& state)
 {
   const std::size_t length = 65536;
-  std::string text =
-      nlohmann::json{{"job", job}, {"t", state.t}, {"step", state.step}, {"gamma", state.gamma}}
-          .dump();
+  std::string text = nlohmann::json{{"job", job},
+                                    {"t", state.t},
+                                    {"step", state.step},
+                                    {"gamma", state.gamma},
+                                    {"weight", state.weight},
+                                    {"excess", state.excess},
+                                    {"numbers", state.values.rows()}}
+                         .dump();
   if (text.size() >= length) throw Failure(Exit_code::usage, "the formula is too long");
   text.resize(length - 1, ' ');
   return text + "\n";
+}
+
+/// where the values of a vertex begin, in bytes
+std::size_t place(const Eigen::MatrixXd& values, int vertex)
+{
+  return sizeof(double) * static_cast<std::size_t>(values.rows() * vertex);
 }
 
 }  // namespace
@@ -34,11 +43,11 @@ Checkpoint::Checkpoint(std::string path, std::string job, double seconds)
     : m_path(std::move(path)), m_job(std::move(job)), m_seconds(seconds)
 {}
 
-Branch_state Checkpoint::read(const Distributed_mesh& mesh) const
+Search_state Checkpoint::read(const Distributed_mesh& mesh) const
 {
   const Ranges ranges = Ranges::equal(mesh.ranges().total());
-  Branch_state state;
-  Eigen::MatrixXd ordered(4, ranges.size());
+  Search_state state;
+  Eigen::MatrixXd ordered;
   together([&] {
     std::ifstream file(m_path, std::ios::binary);
     std::string head;
@@ -48,30 +57,30 @@ Branch_state Checkpoint::read(const Distributed_mesh& mesh) const
       throw Failure(Exit_code::unsuitable,
                     m_path + " is the checkpoint of another run; try: without --resume");
     state.t = json["t"], state.step = json["step"], state.gamma = json["gamma"];
-    file.seekg(static_cast<std::streamoff>(
-        head.size() + 1 + bytes_of_row * static_cast<std::size_t>(ranges.begin())));
-    const auto size =
-        static_cast<std::streamsize>(bytes_of_row * static_cast<std::size_t>(ranges.size()));
-    if (!file.read(reinterpret_cast<char*>(ordered.data()), size))
+    state.weight = json["weight"], state.excess = json["excess"];
+    ordered.resize(json["numbers"].get<Eigen::Index>(), ranges.size());
+    file.seekg(static_cast<std::streamoff>(head.size() + 1 + place(ordered, ranges.begin())));
+    const std::size_t size = place(ordered, ranges.size());
+    if (!file.read(reinterpret_cast<char*>(ordered.data()), static_cast<std::streamsize>(size)))
       throw Read_error(m_path, 0, "it ends early");
   });
-  state.spins = mesh.from_order_of_file(ordered);
+  state.values = mesh.from_order_of_file(ordered);
   return state;
 }
 
-void Checkpoint::save(const Distributed_mesh& mesh, const Branch_state& state)
+void Checkpoint::save(const Distributed_mesh& mesh, const Search_state& state)
 {
   const std::chrono::duration<double> age = Clock::now() - m_last;
   if (!broadcast(age.count() >= m_seconds)) return;
   const Ranges ranges = Ranges::equal(mesh.ranges().total());
-  const Eigen::MatrixXd ordered = mesh.in_order_of_file(state.spins);
+  const Eigen::MatrixXd ordered = mesh.in_order_of_file(state.values);
   const std::string head = head_of(m_job, state);
   Common_file file(m_path);
   together([&] {
     if (rank() == 0) file.write_at(0, {head.begin(), head.end()});
     const char* const first = reinterpret_cast<const char*>(ordered.data());
-    file.write_at(head.size() + bytes_of_row * static_cast<std::size_t>(ranges.begin()),
-                  {first, first + bytes_of_row * static_cast<std::size_t>(ranges.size())});
+    file.write_at(head.size() + place(ordered, ranges.begin()),
+                  {first, first + place(ordered, ranges.size())});
   });
   file.commit();
   m_last = Clock::now();

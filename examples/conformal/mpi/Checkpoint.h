@@ -19,10 +19,10 @@ class Checkpoint {
 
   /// \brief the state in the file.
   /// \throws Failure if there is none, or it is that of another job
-  Branch_state read(const Distributed_mesh& mesh) const;
+  Search_state read(const Distributed_mesh& mesh) const;
 
   /// writes the state, unless the last one is too young
-  void save(const Distributed_mesh& mesh, const Branch_state& state);
+  void save(const Distributed_mesh& mesh, const Search_state& state);
 
   /// after the output has been written
   void remove() const;

@@ -5,6 +5,7 @@
 #include "Distributed_matrix.h"
 
 #include <Conformal_geometry_processing/operators/dirac_energy.h>
+#include <Conformal_geometry_processing/spin/gauge.h>
 #include <Quaternionic_linear_algebra/adapters/Slepc_eigensolver_traits.h>
 #include <Quaternionic_linear_algebra/direct/Stopwatch.h>
 
@@ -27,7 +28,7 @@ using CGP::Quaternion_vector;
 class Eigenvector {
  public:
   Eigenvector(const Distributed_mesh& mesh, const Solution_plan& plan, const Eigen::VectorXd& rho,
-              Eigen::VectorXd areas, const Branch_state& start)
+              Eigen::VectorXd areas, const Search_state& start)
       : gamma(start.gamma),
         m_mesh(mesh),
         m_plan(plan),
@@ -40,7 +41,7 @@ class Eigenvector {
         m_step(start.step)
   {
     lambda = Quaternion_vector<double>::Constant(mesh.mesh().size_of_vertices(), {1, 0, 0, 0});
-    if (start.spins.cols() > 0) set(start.spins);
+    if (start.values.cols() > 0) set(start.values);
   }
 
   void solve(const CGP::Dirac_options& options, const Save& save, const Go_further& go_further,
@@ -75,23 +76,6 @@ class Eigenvector {
 
   /// rho + gamma
   Eigen::VectorXd shifted() const { return m_t * m_rho.array() + gamma; }
-
-  /// makes the mean of lambda real, and that of |lambda|^2 one
-  void normalize()
-  {
-    Eigen::Vector4d mean = Eigen::Vector4d::Zero();
-    double square = 0;
-    for (int v = 0; v < m_own; ++v) {
-      const Quaternion<double> q = lambda[v];
-      mean += m_areas[v] * Eigen::Vector4d(q.w, q.x, q.y, q.z);
-      square += m_areas[v] * CGP::squared_norm(q);
-    }
-    mean = sum_of(mean);
-    const double length = std::sqrt(sum(square) / m_area) * mean.norm();
-    const Quaternion<double> turn{mean[0] / length, -mean[1] / length, -mean[2] / length,
-                                  -mean[3] / length};
-    for (auto& q : lambda) q = q * turn;
-  }
 
  private:
   /// makes shift and vector stationary together
@@ -182,7 +166,7 @@ class Eigenvector {
       }
     });
     set(own_parts);
-    normalize();
+    CGP::fix_gauge(lambda, m_areas, m_mesh.part());
     report.residual = slepc.estimate();
     report.iterations += slepc.iterations();
     report.solves += 2 * slepc.iterations();
@@ -190,9 +174,9 @@ class Eigenvector {
     report.seconds.eigenvectors += watch.lap();
   }
 
-  Branch_state state() const
+  Search_state state() const
   {
-    return {m_t, m_step, gamma, CGP::components(lambda).leftCols(m_own)};
+    return {m_t, m_step, gamma, 0, 0, CGP::components(lambda).leftCols(m_own)};
   }
 
   /// takes the spins of the own vertices, 4 x their number, and those of others from their owners
@@ -207,7 +191,7 @@ class Eigenvector {
   /// the eigenvalue less gamma
   double quotient() const
   {
-    const Counted_faces faces{m_mesh};
+    const Counted_faces faces{{m_mesh}};
     const auto forms = CGP::dirac_forms(faces, Curvature_potential::on_vertices(shifted()),
                                         CGP::Block<Quaternion<double>>(lambda));
     return sum(forms.dirac(0, 0).w) / sum(forms.mass(0, 0).w);
@@ -216,7 +200,7 @@ class Eigenvector {
   /// the derivative of gamma by t: minus a mean of rho
   double quotient_slope() const
   {
-    const Counted_faces faces{m_mesh};
+    const Counted_faces faces{{m_mesh}};
     const CGP::Block<Quaternion<double>> vector(lambda);
     const auto with = CGP::dirac_forms(faces, Curvature_potential::on_vertices(m_rho), vector);
     const auto without = CGP::dirac_forms(
@@ -238,15 +222,15 @@ class Eigenvector {
 
 Quaternion_vector<double> eigenvector(const Distributed_mesh& mesh, const Solution_plan& plan,
                                       const Eigen::VectorXd& rho, const Eigen::VectorXd& areas,
-                                      const CGP::Dirac_options& options, const Branch_state& start,
+                                      const CGP::Dirac_options& options, const Search_state& start,
                                       const Save& save, const Go_further& go_further,
                                       CGP::Spin_report& report)
 {
   Eigenvector vector(mesh, plan, rho, areas, start);
   vector.solve(options, save, go_further, report);
   report.eigenvalue = vector.gamma;
-  report.dirac_residual =
-      dirac_misfit(mesh, Curvature_potential::on_vertices(vector.shifted()), vector.lambda);
+  report.dirac_residual = CGP::dirac_misfit(
+      mesh.mesh(), Curvature_potential::on_vertices(vector.shifted()), vector.lambda, mesh.part());
   return std::move(vector.lambda);
 }
 

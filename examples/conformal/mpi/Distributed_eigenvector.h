@@ -14,14 +14,16 @@
 
 namespace conformal::mpi {
 
-/// where the way to rho is, from which it can be gone on
-struct Branch_state {
-  double t = 0, step = 1, gamma = 0;
-  Eigen::MatrixXd spins = {};  ///< 4 x own vertices; empty: 1
+/// where a search is, from which it can be gone on
+struct Search_state {
+  double t = 0, step = 1, gamma = 0;  ///< on the branch of an eigenvector
+  double weight = 0, excess = 0;      ///< see `CGP::internal::Relaxed_scales::State`
+  /// a column for each own vertex: the spin and, with a bound on lengths, rho'; none: at the start
+  Eigen::MatrixXd values = {};
 };
 
 using Go_further = std::function<bool(const CGP::Eigensolver_progress&)>;
-using Save = std::function<void(const Branch_state&)>;
+using Save = std::function<void(const Search_state&)>;
 
 /// \brief The smallest eigenvector of X of a closed surface, for rho + gamma with gamma its own
 /// quotient, as that of `CGP::Spin_transformation` is, on the branch of lambda = 1, found by the
@@ -33,7 +35,7 @@ using Save = std::function<void(const Branch_state&)>;
 CGP::Quaternion_vector<double> eigenvector(const Distributed_mesh& mesh, const Solution_plan& plan,
                                            const Eigen::VectorXd& rho, const Eigen::VectorXd& areas,
                                            const CGP::Dirac_options& options,
-                                           const Branch_state& start, const Save& save,
+                                           const Search_state& start, const Save& save,
                                            const Go_further& go_further, CGP::Spin_report& report);
 
 }  // namespace conformal::mpi

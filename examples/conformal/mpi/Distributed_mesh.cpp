@@ -69,7 +69,7 @@ CGP::internal::Petsc_mat adjacency(const std::vector<std::vector<int>>& graph, i
 
 }  // namespace
 
-Distributed_mesh::Distributed_mesh(const Ply_ranges& file)
+Distributed_mesh::Distributed_mesh(const Ply_ranges& file, bool has_loops)
 {
   const Ranges in_file = Ranges::equal(file.vertices()), faces = Ranges::equal(file.faces());
   std::vector<std::array<int, 3>> corners;
@@ -82,7 +82,7 @@ Distributed_mesh::Distributed_mesh(const Ply_ranges& file)
   take_faces(corners, in_file);
   together([&] { require_stars(); });
   require_connected();
-  require_sphere_or_disk();
+  find_topology(has_loops);
 }
 
 std::vector<int> Distributed_mesh::divide(const std::vector<std::array<int, 3>>& corners,
@@ -226,9 +226,12 @@ Eigen::MatrixXd Distributed_mesh::from_order_of_file(const Eigen::MatrixXd& orde
 
 CGP::internal::Surface_part Distributed_mesh::part() const
 {
-  return {own_vertices(), m_own_faces, [this](int edge) { return counts(edge); },
+  return {own_vertices(),
+          m_own_faces,
+          [this](int edge) { return counts(edge); },
           [](const Eigen::VectorXd& own) { return sum_of(own); },
-          [](double own) { return largest(own); }};
+          [](double own) { return largest(own); },
+          [this](Eigen::MatrixXd& all) { update(all); }};
 }
 
 // All faces around an own vertex are in the part: a fan from one boundary to the other, or a wheel.
@@ -262,7 +265,7 @@ void Distributed_mesh::require_stars() const
 }
 
 // V - E + F is 2 - 2 g - b with g handles and b boundaries.
-void Distributed_mesh::require_sphere_or_disk()
+void Distributed_mesh::find_topology(bool may_have_loops)
 {
   Eigen::Vector2d edges(0, 0);
   for (int k = 0; k < m_mesh.size_of_edges(); ++k)
@@ -271,9 +274,10 @@ void Distributed_mesh::require_sphere_or_disk()
   edges = sum_of(edges);
   m_is_closed = edges[1] == 0;
   const double characteristic = m_ranges.total() - edges[0] + sum(static_cast<double>(m_own_faces));
-  if (characteristic != (m_is_closed ? 2 : 1))
+  if (!may_have_loops && characteristic != (m_is_closed ? 2 : 1))
     throw Failure(Exit_code::unsuitable,
-                  "the surface has handles or holes, which only conformal spin keeps closed");
+                  "the surface has handles or holes, which only conformal spin keeps closed; try: "
+                  "--open-handles");
 }
 
 // The least number of a component spreads in each part at once, and then between parts.

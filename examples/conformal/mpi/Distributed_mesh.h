@@ -12,7 +12,7 @@
 
 namespace conformal::mpi {
 
-/// \brief The part of a sphere or disk that a process works on: its own vertices, all faces that
+/// \brief The part of a surface that a process works on: its own vertices, all faces that
 /// touch these, and the other corners of these faces, which are other processes' own.
 ///
 /// Vertices have new numbers, in which those of a process are a range. In the mesh of the part,
@@ -22,9 +22,9 @@ class Distributed_mesh {
  public:
   /// \brief Reads the file in parts and divides the surface by its graph (PT-Scotch), such that few
   /// edges run between processes. Collective.
-  /// \throws Failure if the surface is not a connected manifold without handles, with one boundary
-  /// or none
-  explicit Distributed_mesh(const Ply_ranges& file);
+  /// \param has_loops whether it may have handles, or several boundaries
+  /// \throws Failure if the surface is not such a connected manifold
+  explicit Distributed_mesh(const Ply_ranges& file, bool has_loops = false);
 
   const CGP::Mesh_view& mesh() const { return m_mesh; }
   int own_vertices() const { return m_ranges.size(); }
@@ -71,7 +71,7 @@ class Distributed_mesh {
   void require_surface(const std::string& path) const;
   void require_stars() const;
   void require_connected() const;
-  void require_sphere_or_disk();
+  void find_topology(bool may_have_loops);
 
   Ranges m_ranges;
   std::vector<int> m_number_in_file;     // of the own vertices

@@ -39,7 +39,7 @@ struct Solution_plan {
 
 /// \brief Factors a matrix whose rows of own vertices are complete, in single precision where that
 /// serves to precondition. Collective.
-/// \throw CGP::Solver_error if it is not positive definite
+/// \return null if it is not positive definite
 template <class Scalar>
 std::unique_ptr<const Distributed_factor> factored(const Distributed_mesh& mesh,
                                                    const Border_vertices& border,
@@ -50,8 +50,7 @@ std::unique_ptr<const Distributed_factor> factored(const Distributed_mesh& mesh,
     if (rough->is_positive_definite()) return rough;
   }
   auto factor = std::make_unique<const Distributed_cholesky<Scalar, double>>(mesh, border, A);
-  if (!factor->is_positive_definite())
-    throw CGP::Solver_error("transform", to_string(CGP::Solver_status::not_positive_definite));
+  if (!factor->is_positive_definite()) return nullptr;
   return factor;
 }
 
@@ -64,11 +63,12 @@ class Distributed_solver {
  public:
   /// \param matrix in which the values of A are \param A rows of own vertices are complete
   /// \param smooth of the own vertices: what grids have to represent; empty: constants
-  /// \throw CGP::Solver_error if PETSc fails
+  /// \throw CGP::Solver_error if PETSc fails, or A is not positive definite
   Distributed_solver(const Distributed_mesh& mesh, const Solution_plan& plan, Mat matrix,
                      const CGP::Hermitian_sparse_matrix<Scalar>& A,
                      const Eigen::VectorXd& smooth = {})
-      : m_factor(plan.has_factor ? factored(mesh, plan.border, A) : nullptr),
+      : m_factor(plan.has_factor ? require(factored(mesh, plan.border, A)) : nullptr),
+        m_matrix(matrix),
         m_iteration(matrix, [&](PC pc) {
           if (m_factor)
             set_factor(pc);
@@ -87,7 +87,45 @@ class Distributed_solver {
       throw CGP::Solver_error("transform", to_string(status));
   }
 
+  /// overwrites right-hand sides of the own vertices by solutions: a quaternion, or two numbers
+  void solve(Eigen::Matrix4Xd& numbers) const
+  {
+    Petsc_vec b, x;
+    check_petsc(MatCreateVecs(m_matrix, x.renew(), b.renew()));
+    set(numbers, b.get());
+    solve(b.get(), x.get());
+    get(x.get(), numbers);
+  }
+
  private:
+  static std::unique_ptr<const Distributed_factor> require(
+      std::unique_ptr<const Distributed_factor> factor)
+  {
+    const auto status = CGP::Solver_status::not_positive_definite;
+    if (!factor) throw CGP::Solver_error("transform", to_string(status));
+    return factor;
+  }
+
+  static void get(Vec v, Eigen::Matrix4Xd& numbers)
+  {
+    with_values(v, [&](const PetscScalar* entries) {
+      for (auto column : numbers.colwise()) {
+        column = numbers_of(entries);
+        entries += Embedding::width;
+      }
+    });
+  }
+
+  static void set(const Eigen::Matrix4Xd& numbers, Vec v)
+  {
+    with_values(v, [&](PetscScalar* entries) {
+      for (const auto column : numbers.colwise()) {
+        put(column, entries);
+        entries += Embedding::width;
+      }
+    });
+  }
+
   void set_factor(PC pc) const
   {
     check_petsc(PCSetType(pc, PCSHELL));
@@ -102,16 +140,10 @@ class Distributed_solver {
       check_petsc(PCShellGetContext(pc, &context));
       PetscInt rows = 0;
       check_petsc(VecGetLocalSize(b, &rows));
-      Eigen::Matrix4Xd numbers = Eigen::Matrix4Xd::Zero(4, rows / Embedding::width);
-      with_values(b, [&](PetscScalar* entries) {
-        for (Eigen::Index v = 0; v < numbers.cols(); ++v, entries += Embedding::width)
-          numbers.col(v) = numbers_of(entries);
-      });
+      Eigen::Matrix4Xd numbers(4, rows / Embedding::width);
+      get(b, numbers);
       static_cast<const Distributed_factor*>(context)->solve(numbers);
-      with_values(x, [&](PetscScalar* entries) {
-        for (Eigen::Index v = 0; v < numbers.cols(); ++v, entries += Embedding::width)
-          put(numbers.col(v), entries);
-      });
+      set(numbers, x);
       return 0;
     } catch (const std::bad_alloc&) {  // exceptions must not propagate through PETSc
       return PETSC_ERR_MEM;
@@ -165,6 +197,7 @@ class Distributed_solver {
   }
 
   std::unique_ptr<const Distributed_factor> m_factor;
+  Mat m_matrix;
   CGP::internal::Petsc_conjugate_gradients m_iteration;
 };
 

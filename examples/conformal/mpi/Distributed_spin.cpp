@@ -4,19 +4,25 @@
 #include "Counted_faces.h"
 #include "Distributed_matrix.h"
 #include "Distributed_solver.h"
+#include "Part_solver.h"
 #include "free_boundary.h"
 
 #include <Conformal_geometry_processing/measure/Realised_curvature.h>
 #include <Conformal_geometry_processing/measure/distortion.h>
 #include <Conformal_geometry_processing/operators/cotan_laplacian.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
+#include <Conformal_geometry_processing/spin/Dirac_solution.h>
+#include <Conformal_geometry_processing/spin/Dirac_system.h>
+#include <Conformal_geometry_processing/spin/Relaxed_surface.h>
+#include <Conformal_geometry_processing/spin/Scale_control.h>
+#include <Conformal_geometry_processing/spin/Spin_transformation.h>
 #include <Conformal_geometry_processing/spin/certify.h>
 #include <Conformal_geometry_processing/spin/gauge.h>
 #include <Conformal_geometry_processing/spin/transformed_edges.h>
 #include <Quaternionic_linear_algebra/direct/Stopwatch.h>
 
 #include <algorithm>
-#include <optional>
+#include <utility>
 
 namespace conformal::mpi {
 namespace {
@@ -89,9 +95,8 @@ std::optional<CGP::Realised_curvature> realised_curvature(const Distributed_mesh
 
 void judge_boundary(const Distributed_mesh& mesh, CGP::Spin_report& report)
 {
-  const Counted_faces faces{mesh};
-  report.radius = CGP::internal::radius_of_area(faces, mesh.part());
-  report.boundary_fault = CGP::boundary_fault(faces, 0, report, mesh.part());
+  report.radius = CGP::internal::radius_of_area(mesh.mesh(), mesh.part());
+  report.boundary_fault = CGP::boundary_fault(mesh.mesh(), 0, report, mesh.part());
 }
 
 /// the quasi-conformal error at the own vertices, the mean of the faces around
@@ -107,40 +112,127 @@ Eigen::VectorXd quality(const Distributed_mesh& mesh, const CGP::Points& f)
   return total.cwiseQuotient(weight).head(mesh.own_vertices());
 }
 
+/// the surface of spins, which are scaled, with what it is judged by
+CGP::Spin_result surface_of(const Distributed_mesh& mesh, const Solution_plan& plan,
+                            const Eigen::VectorXd& areas, Quaternion_vector<double> lambda,
+                            const CGP::Spin_report& report)
+{
+  CGP::internal::Stopwatch watch;
+  CGP::Spin_result result{{}, std::move(lambda), report};
+  CGP::Spin_report& r = result.report;
+  const Eigen::VectorXd weights = CGP::cotan_weights(mesh.mesh());
+  const Eigen::MatrixX3d edges = CGP::transformed_edges(mesh.mesh(), result.lambda);
+  result.positions = integrated(mesh, plan, areas, weights, edges);
+  r.seconds.reconstruction += watch.lap();
+  r.closure_residual =
+      CGP::internal::closure_residual(mesh.mesh(), weights, result.positions, edges, mesh.part());
+  CGP::restore_area(mesh.mesh(), result.positions, result.lambda, mesh.part());
+  CGP::internal::certify(mesh.mesh(), result.positions, result.lambda, r, mesh.part());
+  if (!mesh.is_closed()) judge_boundary(mesh, r);
+  r.seconds.certificate += watch.lap();
+  return result;
+}
+
+/// the surface of [CGP (5.3)], whose lengths may change by any factor
+CGP::Spin_result unbounded(const Distributed_mesh& mesh, const Solution_plan& plan,
+                           const Eigen::VectorXd& areas, const Eigen::VectorXd& rho,
+                           const Spin_request& request, const Search_state& start, const Save& save,
+                           const Go_further& go_further)
+{
+  CGP::Spin_report report;
+  report.limits = request.limits;
+  // the solver of X is not needed any more for positions
+  Quaternion_vector<double> lambda =
+      mesh.is_closed()
+          ? eigenvector(mesh, plan, rho, areas, request.dirac, start, save, go_further, report)
+          : spins_with_free_boundary(mesh, plan, rho, areas, report);
+  if (report.cancelled) return {{}, std::move(lambda), report};
+  report.overlap = overlap(mesh, areas, lambda,
+                           Quaternion_vector<double>::Constant(lambda.size(), {1, 0, 0, 0}));
+  return surface_of(mesh, plan, areas, std::move(lambda), report);
+}
+
+Search_state saved(const Distributed_mesh& mesh, const CGP::internal::Relaxed_scales::State& at)
+{
+  Search_state state;
+  state.weight = at.weight;
+  state.excess = at.excess;
+  state.values.resize(5, mesh.own_vertices());
+  state.values.topRows(4) = CGP::components(at.lambda).leftCols(mesh.own_vertices());
+  state.values.row(4) = at.rho.head(mesh.own_vertices()).transpose();
+  return state;
+}
+
+CGP::internal::Relaxed_scales::State resumed(const Distributed_mesh& mesh, const Search_state& from)
+{
+  Eigen::MatrixXd values(5, mesh.mesh().size_of_vertices());
+  values.leftCols(mesh.own_vertices()) = from.values;
+  mesh.update(values);
+  Quaternion_vector<double> lambda(values.cols());
+  CGP::components(lambda) = values.topRows(4);
+  return {std::move(lambda), values.row(4), from.weight, from.excess};
+}
+
+/// the surface of `CGP::internal::Relaxed_scales`
+CGP::Spin_result bounded(const Distributed_mesh& mesh, const Solution_plan& plan,
+                         const Eigen::VectorXd& areas, const Eigen::VectorXd& rho,
+                         const Spin_request& request, const Search_state& start, const Save& save,
+                         const Go_further& go_further)
+{
+  const Faces_of_part faces{mesh};
+  CGP::internal::Dirac_system system(faces, {}, "spin", part_solvers(mesh, plan), mesh.part());
+  CGP::internal::Scale_control control;
+  control.bound = request.bound;
+  std::optional<CGP::internal::Relaxed_surface> search;
+  CGP::internal::Relaxed_scales_options options;
+  options.spins.negligible = CGP::internal::Relaxed_surface::negligible(system, control);
+  options.is_met = [&] {
+    save(saved(mesh, search->scales().state()));
+    return true;
+  };
+  search.emplace(system, rho, control, options);
+  CGP::internal::Closing_start from;
+  if (start.values.cols() > 0) from.resumed = resumed(mesh, start);
+  const auto surface = [&](CGP::internal::Dirac_solution found) -> CGP::Spin_result {
+    CGP::Spin_report report;
+    static_cast<CGP::internal::Dirac_evidence&>(report) = found;
+    static_cast<CGP::internal::Dirac_evidence::Seconds&>(report.seconds) = found.seconds;
+    report.limits = request.limits;
+    if (report.cancelled) return {{}, std::move(found.lambda), report};
+    return surface_of(mesh, plan, areas, std::move(found.lambda), report);
+  };
+  CGP::Spin_result result =
+      search->surface(from, rho, surface, [&](const CGP::Eigensolver_progress& progress) {
+        return broadcast(rank() == 0 && go_further(progress));
+      });
+  if (result.report.cancelled) return result;
+  result.report.eigenvalue = system.mean(search->scales().spins().rho() - rho);
+  result.report.scales = search->kept(rho);
+  return result;
+}
+
 }  // namespace
 
 Distributed_result transform(const Distributed_mesh& mesh, const Solution_plan& plan,
-                             const Eigen::VectorXd& rho, const CGP::Dirac_options& options,
-                             const CGP::Spin_report::Limits& limits, const Branch_state& start,
-                             const Save& save, const Go_further& go_further)
+                             const Eigen::VectorXd& rho, const Spin_request& request,
+                             const Search_state& start, const Save& save,
+                             const Go_further& go_further)
 {
   const CGP::internal::Quiet_petsc quiet;
-  Distributed_result result;
-  CGP::Spin_report& report = result.report;
-  report.limits = limits;
   Eigen::MatrixXd areas = CGP::vertex_areas(mesh.mesh()).transpose();
   mesh.update(areas);
-  // the solver of X is not needed any more for positions
-  Quaternion_vector<double> lambda =
-      mesh.is_closed() ? eigenvector(mesh, plan, rho, areas.transpose(), options, start, save,
-                                     go_further, report)
-                       : spins_with_free_boundary(mesh, plan, rho, areas.transpose(), report);
+  CGP::Spin_result found =
+      request.bound
+          ? bounded(mesh, plan, areas.transpose(), rho, request, start, save, go_further)
+          : unbounded(mesh, plan, areas.transpose(), rho, request, start, save, go_further);
+  Distributed_result result;
+  CGP::Spin_report& report = result.report = found.report;
   if (report.cancelled) return result;
-  report.overlap = overlap(mesh, areas.transpose(), lambda,
-                           Quaternion_vector<double>::Constant(lambda.size(), {1, 0, 0, 0}));
   CGP::internal::Stopwatch watch;
-  const Eigen::VectorXd weights = CGP::cotan_weights(mesh.mesh());
-  const Eigen::MatrixX3d edges = CGP::transformed_edges(mesh.mesh(), lambda);
-  CGP::Points f = integrated(mesh, plan, areas.transpose(), weights, edges);
-  report.seconds.reconstruction += watch.lap();
-  report.closure_residual =
-      CGP::internal::closure_residual(mesh.mesh(), weights, f, edges, mesh.part());
-  CGP::restore_area(mesh.mesh(), f, lambda, mesh.part());
-  CGP::internal::certify(mesh.mesh(), f, lambda, report, mesh.part());
-  if (!mesh.is_closed()) judge_boundary(mesh, report);
-  result.quality = quality(mesh, f);
-  if (report.converged) report.realised_curvature = realised_curvature(mesh, plan, f, rho);
-  result.positions = f.leftCols(mesh.own_vertices());
+  result.quality = quality(mesh, found.positions);
+  if (report.converged)
+    report.realised_curvature = realised_curvature(mesh, plan, found.positions, rho);
+  result.positions = found.positions.leftCols(mesh.own_vertices());
   report.seconds.certificate += watch.lap();
   return result;
 }

@@ -58,27 +58,44 @@ bool is_normal(const std::string& name)
   return name == "nx" || name == "ny" || name == "nz";
 }
 
-}  // namespace
-
-Ply_ranges::Ply_ranges(std::string path) : m_path(std::move(path))
+/// of a file
+Ply_header ply_header(const std::string& path)
 {
-  std::ifstream file(m_path, std::ios::binary);
-  if (!file) throw Read_error(m_path, 0, "it cannot be opened");
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw Read_error(path, 0, "it cannot be opened");
   const std::size_t longest_header = 1 << 20;
   std::string start(longest_header, '\0');
   file.read(start.data(), static_cast<std::streamsize>(start.size()));
   start.resize(static_cast<std::size_t>(file.gcount()));
-  m_header = parse_ply_header(start, m_path);
+  return parse_ply_header(start, path);
+}
+
+}  // namespace
+
+Ply_ranges::Ply_ranges(std::string path) : Ply_ranges(path, ply_header(path))
+{
+  std::ifstream file(m_path, std::ios::binary | std::ios::ate);
+  if (static_cast<std::size_t>(file.tellg()) < m_face.begin + m_face.count * m_face.stride)
+    refuse("it is too short for triangles only");
+}
+
+Ply_ranges::Ply_ranges(std::string path, Ply_header header)
+    : m_path(std::move(path)), m_header(std::move(header))
+{
   const std::vector<Element>& elements = m_header.elements;
   if (m_header.encoding != Ply_encoding::little_endian || elements.size() < 2 ||
       elements[0].name != "vertex" || elements[1].name != "face")
     refuse("it is not binary (little endian) with vertices first and faces next");
   place_vertices(elements[0]);
   place_faces(elements[1]);
-  file.clear();
-  file.seekg(0, std::ios::end);
-  if (static_cast<std::size_t>(file.tellg()) < m_face.begin + m_face.count * m_face.stride)
-    refuse("it is too short for triangles only");
+}
+
+void Ply_ranges::read(std::size_t begin, std::vector<std::byte>& bytes) const
+{
+  std::ifstream file(m_path, std::ios::binary);
+  file.seekg(static_cast<std::streamoff>(begin));
+  if (!file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size())))
+    throw Read_error(m_path, 0, "it ends early");
 }
 
 void Ply_ranges::refuse(const std::string& what) const
@@ -127,15 +144,11 @@ void Ply_ranges::place_faces(const Element& element)
 void Ply_ranges::for_each_row(const Rows& rows, int first, int last,
                               const std::function<void(int, const std::byte*)>& visit) const
 {
-  std::ifstream file(m_path, std::ios::binary);
-  file.seekg(
-      static_cast<std::streamoff>(rows.begin + static_cast<std::size_t>(first) * rows.stride));
   std::vector<std::byte> some;
   for (int row = first; row < last;) {
     const auto count = (std::min)(rows_at_once, static_cast<std::size_t>(last - row));
     some.resize(count * rows.stride);
-    if (!file.read(reinterpret_cast<char*>(some.data()), static_cast<std::streamsize>(some.size())))
-      throw Read_error(m_path, 0, "it ends early");
+    read(rows.at(row), some);
     for (std::size_t k = 0; k < count; ++k) visit(row++, some.data() + k * rows.stride);
   }
 }

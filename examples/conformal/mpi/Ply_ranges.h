@@ -29,6 +29,7 @@ class Ply_ranges {
  public:
   /// reads the header. \throws Read_error; Failure if the file is of another kind
   explicit Ply_ranges(std::string path);
+  virtual ~Ply_ranges() = default;
 
   int vertices() const { return static_cast<int>(m_vertex.count); }
   int faces() const { return static_cast<int>(m_face.count); }
@@ -47,10 +48,23 @@ class Ply_ranges {
   void write(const std::string& path, const Ranges& ranges, const CGP::Points& positions,
              const std::vector<Column>& columns) const;
 
+ protected:
+  /// one that is nowhere, whose bytes others know
+  Ply_ranges(std::string path, Ply_header header);
+
+  /// the bytes from some place on, as many as there are in `bytes`. \throws Read_error
+  virtual void read(std::size_t begin, std::vector<std::byte>& bytes) const;
+
+  /// where the row of a vertex or face begins
+  std::size_t vertex_row(int v) const { return m_vertex.at(v); }
+  std::size_t face_row(int f) const { return m_face.at(f); }
+
  private:
   /// rows of equal length in the file
   struct Rows {
     std::size_t count = 0, begin = 0, stride = 0;
+
+    std::size_t at(int row) const { return begin + static_cast<std::size_t>(row) * stride; }
   };
   /// a property in a row
   struct Place {

@@ -90,29 +90,47 @@ struct Ranges {
   }
 };
 
+/// \brief the answers to questions, each of which a process `whom(question)` knows.
+/// \param answer of all that this process is asked, in the order of the processes that ask: returns
+/// a vector of as many answers
+template <class Question, class Whom, class Answer>
+auto ask(const std::vector<Question>& all, const Whom& whom, const Answer& answer)
+{
+  const auto n = static_cast<std::size_t>(processes());
+  std::vector<std::vector<Question>> questions(n);
+  for (const Question& q : all) questions[whom(q)].push_back(q);
+  std::vector<int> counts;
+  const auto known = answer(deliver(questions, &counts));
+  std::vector<std::decay_t<decltype(known)>> answers;
+  auto next = known.begin();
+  for (const int count : counts) {
+    answers.emplace_back(next, next + count);
+    next += count;
+  }
+  const auto got = deliver(answers);
+  std::vector<std::size_t> place(n, 0);
+  for (std::size_t p = 1; p < n; ++p) place[p] = place[p - 1] + questions[p - 1].size();
+  std::decay_t<decltype(known)> found;
+  found.reserve(all.size());
+  for (const Question& q : all) found.push_back(got[place[whom(q)]++]);
+  return found;
+}
+
 /// \brief the values at any numbers, of a table that is divided by ranges.
 /// \param values of the numbers in the range of this process
 template <class T>
 std::vector<T> look_up(const std::vector<int>& numbers, const Ranges& ranges,
                        const std::vector<T>& values)
 {
-  const auto n = static_cast<std::size_t>(processes());
-  std::vector<std::vector<int>> questions(n);
-  for (const int i : numbers) questions[ranges.owner(i)].push_back(i);
-  std::vector<int> counts;
-  const std::vector<int> asked = deliver(questions, &counts);
-  std::vector<std::vector<T>> answers(n);
-  std::size_t next = 0;
-  for (std::size_t p = 0; p < n; ++p)
-    for (int k = 0; k < counts[p]; ++k)
-      answers[p].push_back(values[static_cast<std::size_t>(asked[next++] - ranges.begin())]);
-  const std::vector<T> got = deliver(answers);
-  std::vector<std::size_t> place(n, 0);
-  for (std::size_t p = 1; p < n; ++p) place[p] = place[p - 1] + questions[p - 1].size();
-  std::vector<T> found;
-  found.reserve(numbers.size());
-  for (const int i : numbers) found.push_back(got[place[ranges.owner(i)]++]);
-  return found;
+  return ask(
+      numbers, [&](int i) { return ranges.owner(i); },
+      [&](const std::vector<int>& asked) {
+        std::vector<T> known;
+        known.reserve(asked.size());
+        for (const int i : asked)
+          known.push_back(values[static_cast<std::size_t>(i - ranges.begin())]);
+        return known;
+      });
 }
 
 }  // namespace conformal::mpi

@@ -1,7 +1,6 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include "free_boundary.h"
 
-#include "Counted_faces.h"
 #include "Distributed_matrix.h"
 
 #include <Conformal_geometry_processing/operators/dirac_energy.h>
@@ -55,7 +54,7 @@ Quaternion_vector<double> spins_with_free_boundary(const Distributed_mesh& mesh,
 {
   CGP::internal::Stopwatch watch;
   const auto potential = CGP::Curvature_potential::on_vertices(rho);
-  const Eigen::VectorXd weights = CGP::nearness_weight(Counted_faces{mesh}, mesh.part()) * areas;
+  const Eigen::VectorXd weights = CGP::nearness_weight(mesh.mesh(), mesh.part()) * areas;
   auto A = CGP::dirac_energy(mesh.mesh(), potential);
   for (int v = 0; v < mesh.own_vertices(); ++v)
     A.value(A.pattern().offsets[static_cast<std::size_t>(v)]).w += weights[v];
@@ -75,7 +74,7 @@ Quaternion_vector<double> spins_with_free_boundary(const Distributed_mesh& mesh,
   report.residual = residual(matrix.get(), b.get(), x.get());
   Quaternion_vector<double> lambda = spins_of(mesh, x.get());
   report.seconds.eigenvectors += watch.lap();
-  report.eigenvalue = dirac_misfit(mesh, potential, lambda);
+  report.eigenvalue = CGP::dirac_misfit(mesh.mesh(), potential, lambda, mesh.part());
   report.converged = true;
   return lambda;
 }

@@ -3,6 +3,7 @@
 
 #include "Checkpoint.h"
 #include "Distributed_spin.h"
+#include "Stl_ranges.h"
 #include "collective.h"
 
 #include "conformal/commands/keyed_options.h"
@@ -15,12 +16,14 @@
 #include "conformal/transform/solve_spin.h"
 
 #include <Conformal_geometry_processing/mesh/normals.h>
+#include <Conformal_geometry_processing/spin/Scale_control.h>
 
 #include <sys/resource.h>
 
 #include <nlohmann/json.hpp>
 
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -28,13 +31,13 @@ namespace conformal::mpi {
 namespace {
 
 const char* const spin_about =
-    "Deforms a sphere or a disk of any shape conformally so that its mean curvature changes by "
-    "rho,\n"
-    "as `conformal spin --max-scale none` does, on many processes, which may be on many machines:\n"
+    "Deforms a surface of any shape conformally so that its mean curvature changes by rho, as\n"
+    "`conformal spin` does, on many processes, which may be on many machines:\n"
     "  mpirun -n 4 conformal-mpi spin BIG.ply --rho-expression ... -o OUT.ply\n"
     "No process ever has more than its part of the surface. The input is a binary PLY with\n"
-    "triangles; its other properties are carried over, and the output has the vertex properties\n"
-    "quality and rho. Lengths are not bounded: limbs may collapse, which the table tells.\n"
+    "triangles, or a binary STL. The output is a PLY with its properties, and quality and rho.\n"
+    "Lengths change by a factor of 2 at most (--max-scale), on 98 % of the area.\n"
+    "Handles, and several boundaries, are not kept closed: such surfaces need --open-handles.\n"
     "rho is in 1/length of the normalised frame (the middle of the bounding box at 0, its "
     "diagonal\n"
     "2), positive rho bulges outward, constants have no effect.\n"
@@ -51,17 +54,21 @@ struct Job {
   double amplitude = 1, checkpoint = 300;
   double tolerance = CGP::Dirac_options().tolerance;
   int iterations = 1000;  // they may be cycles of grids, not solves with a factor
-  bool resume = false;
+  bool resume = false, open_handles = false;
+  double bound = 0;                         // 0: none
+  double quasi_conformal = 0, closure = 0;  // limits, which the search aims at
 
   NLOHMANN_DEFINE_TYPE_INTRUSIVE(Job, input, output, expression, solver, amplitude, tolerance,
-                                 checkpoint, iterations, resume)
+                                 checkpoint, iterations, resume, open_handles, bound,
+                                 quasi_conformal, closure)
 
   /// what a checkpoint depends on
-  std::string problem() const { return nlohmann::json{input, expression, amplitude}.dump(); }
+  std::string problem() const { return nlohmann::json{input, expression, amplitude, bound}.dump(); }
 };
 
 struct Options {
   Job job;
+  std::optional<double> bound = CGP::internal::default_scale_bound;
   bool force = false;
   CGP::Spin_report::Limits limits;
 };
@@ -140,20 +147,22 @@ void write(const Job& job, const Ply_ranges& file, const Distributed_mesh& mesh,
 
 void do_job(const Job& job, const Go_further& go_further, const Approve& approve)
 {
-  std::optional<Ply_ranges> file;
-  together([&] { file.emplace(job.input); });
-  const Distributed_mesh mesh(*file);
+  const std::unique_ptr<const Ply_ranges> file = surface_ranges(job.input);
+  const Distributed_mesh mesh(*file, job.open_handles);
   const Frame frame(mesh.mesh().positions().leftCols(mesh.own_vertices()));
   const Eigen::VectorXd rho = rho_of(job, mesh, frame);
-  CGP::Dirac_options dirac;
-  dirac.tolerance = job.tolerance;
-  dirac.max_iterations = job.iterations;
+  Spin_request request;
+  if (job.bound > 0) request.bound = job.bound;
+  request.dirac.tolerance = job.tolerance;
+  request.dirac.max_iterations = job.iterations;
+  request.limits.map.quasi_conformal = job.quasi_conformal;
+  request.limits.closure = job.closure;
   const Solution_plan plan(mesh, job.solver == "multigrid");
   Checkpoint checkpoint(job.output + ".checkpoint", job.problem(), job.checkpoint);
-  const Branch_state start = job.resume ? checkpoint.read(mesh) : Branch_state();
-  const auto save = [&](const Branch_state& state) { checkpoint.save(mesh, state); };
+  const Search_state start = job.resume ? checkpoint.read(mesh) : Search_state();
+  const auto save = [&](const Search_state& state) { checkpoint.save(mesh, state); };
   const Distributed_result result =
-      transform(mesh, plan, rho / frame.unit, dirac, {}, start, save, go_further);
+      transform(mesh, plan, rho / frame.unit, request, start, save, go_further);
   const Told told{result.report,
                   file->vertices(),
                   file->faces(),
@@ -189,7 +198,8 @@ void tell(const Told& told, Session& session)
 void add_options(CLI::App& command, Options& options, Common_options& common)
 {
   Job& job = options.job;
-  command.add_option("input", job.input, "binary PLY file with triangles")->required();
+  command.add_option("input", job.input, "binary PLY file with triangles, or binary STL file")
+      ->required();
   command
       .add_option("--rho-expression", job.expression,
                   "formula in x y z (normalised frame), nx ny nz (outward normal), pi, e")
@@ -197,8 +207,11 @@ void add_options(CLI::App& command, Options& options, Common_options& common)
       ->check(formula);
   command.add_option("--amplitude", job.amplitude, "multiplies rho")->capture_default_str();
   add_output(command, common)->required();
+  add_max_scale(command, options.bound);
+  command.add_flag("--open-handles", job.open_handles,
+                   "also with handles or several boundaries, which rho shears");
   advanced(command)
-      .add_option("--tolerance", job.tolerance, "of the eigenvector")
+      .add_option("--tolerance", job.tolerance, "of the eigenvector, without a bound on lengths")
       ->check(between_zero_and_one)
       ->capture_default_str();
   advanced(command)
@@ -228,6 +241,9 @@ void run(const Options& options, Session& session)
 {
   Job job = options.job;
   job.output = session.options().output;
+  job.bound = options.bound.value_or(0);
+  job.quasi_conformal = options.limits.map.quasi_conformal;
+  job.closure = options.limits.closure;
   session.set_input(job.input);
   broadcast(nlohmann::json(job).dump());
   Verdict verdict;

@@ -7,7 +7,6 @@
 #include <Eigen/Geometry>
 
 #include <limits>
-#include <memory>
 #include <numeric>
 #include <string>
 

@@ -37,7 +37,6 @@ using Points = Eigen::Matrix3Xd;
 
 namespace internal {
 
-/// \ingroup PkgMesh
 /// \brief what the faces of a `Mesh_view` are without positions; its copies share it.
 struct Mesh_connectivity {
   using Corners = std::vector<std::array<int, 3>>;

@@ -158,11 +158,12 @@ double potential_quotient(const Surface_ref& surface, const Curvature_potential&
 }
 
 double dirac_misfit(const Surface_ref& surface, const Curvature_potential& rho,
-                    const Quaternion_vector<double>& lambda)
+                    const Quaternion_vector<double>& lambda, const internal::Surface_part& part)
 {
   using Terms = Eigen::Array2d;  // energy and mass
-  const Terms sum = internal::sum_over_sheets(
-      surface, Terms(Terms::Zero()), [&](const Sheet& sheet, Terms& terms) {
+  const Terms own = internal::sum_over_sheets(
+      surface, Terms(Terms::Zero()),
+      [&](const Sheet& sheet, Terms& terms) {
         const Eigen::Vector3d r = rho.at_corners(sheet);
         Quaternion<double> image;
         for (int c = 0; c < 3; ++c) {
@@ -171,7 +172,9 @@ double dirac_misfit(const Surface_ref& surface, const Curvature_potential& rho,
           terms[1] += sheet.share * sheet.area / 3 * squared_norm(l);
         }
         terms[0] += sheet.share * squared_norm(image) / sheet.area;
-      });
+      },
+      part);
+  const Eigen::VectorXd sum = part.sum(own.matrix());
   return std::sqrt(sum[0] / sum[1]);
 }
 

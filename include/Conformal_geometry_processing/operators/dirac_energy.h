@@ -93,7 +93,8 @@ double potential_quotient(const Surface_ref& surface, const Curvature_potential&
 /// vertex areas. Accurate to all digits even if it is zero up to rounding, because no terms cancel.
 /// O(sheets), without assembling a matrix.
 double dirac_misfit(const Surface_ref& surface, const Curvature_potential& rho,
-                    const Quaternion_vector<double>& lambda);
+                    const Quaternion_vector<double>& lambda,
+                    const internal::Surface_part& part = {});
 
 namespace internal {
 

@@ -1,6 +1,7 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #pragma once
 
+#include <Conformal_geometry_processing/mesh/Surface_part.h>
 #include <Conformal_geometry_processing/mesh/Surface_ref.h>
 #include <Quaternionic_linear_algebra/algebra/Hermitian_sparse_matrix.h>
 #include <Quaternionic_linear_algebra/threads/Thread_team.h>
@@ -61,16 +62,17 @@ void for_each_sheet_at(const Index_range& own, const Surface_ref& surface, const
       surface, [&](const Sheet& sheet) { return own.touches(sheet); }, add);
 }
 
-/// \brief Returns the sum of what `add(sheet, sum)` adds to `zero`, over all sheets, on several
-/// threads; the same bits for any number.
+/// \brief Returns the sum of what `add(sheet, sum)` adds to `zero`, over all sheets, or those that
+/// a part counts, on several threads; the same bits for any number.
 template <class Sum, class Add>
-Sum sum_over_sheets(const Surface_ref& surface, const Sum& zero, const Add& add)
+Sum sum_over_sheets(const Surface_ref& surface, const Sum& zero, const Add& add,
+                    const Surface_part& part = {})
 {
   const std::ptrdiff_t at_once = 2048;
   const auto add_range = [&](std::ptrdiff_t first, std::ptrdiff_t last, Sum& sum) {
     for (std::ptrdiff_t s = first; s < last; ++s) add(surface.sheet(static_cast<int>(s)), sum);
   };
-  return sum_of_ranges(surface.size_of_sheets(), at_once, zero, add_range);
+  return sum_of_ranges(part.own_faces(surface.size_of_sheets()), at_once, zero, add_range);
 }
 
 }  // namespace internal

@@ -1,7 +1,6 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/spin/Dirac_branch.h>
 
-#include <Quaternionic_linear_algebra/dense/block_operators.h>
 #include <Quaternionic_linear_algebra/direct/Stopwatch.h>
 #include <Quaternionic_linear_algebra/krylov/Lobpcg.h>
 

@@ -4,6 +4,7 @@
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 #include <Conformal_geometry_processing/operators/vertex_graph.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -18,8 +19,10 @@ inline double mean_squared_norm(const std::array<int, 3>& corners,
   return (squared_norm(lambda[a]) + squared_norm(lambda[b]) + squared_norm(lambda[c])) / 3;
 }
 
-Dirac_misfit::Geometry::Geometry(const Surface_ref& surface) : areas(vertex_areas(surface))
+Dirac_misfit::Geometry::Geometry(const Surface_ref& surface, const Surface_part& of)
+    : part(of), areas(vertex_areas(surface))
 {
+  part.clear_others(areas);
   sheets.reserve(static_cast<std::size_t>(surface.size_of_sheets()));
   for (int s = 0; s < surface.size_of_sheets(); ++s) {
     const Sheet sheet = surface.sheet(s);
@@ -52,7 +55,7 @@ Dirac_misfit::Dirac_misfit(const Geometry& geometry, const Misfit_weights& weigh
 template <class Visit>
 void Dirac_misfit::for_each_owned_sheet(const Visit& visit) const
 {
-  for_each_owned_range(static_cast<int>(m_lambda.size()), [&](const Index_range& own) {
+  for_each_owned_range(vertices(), [&](const Index_range& own) {
     int s = 0;
     for (const Triangle& sheet : m_geometry->sheets) {
       if (own.touches(sheet)) visit(own, sheet, s);
@@ -97,14 +100,16 @@ auto Dirac_misfit::image(const Spins& y, const Finish& finish) const -> Image
     for (const int v : sheet.corners)
       if (own.contains(v)) r.misfit[n + v] += share;
     const Quaternion<double> z = finish(s, 1 / sheet.area * sum - mean_product(sheet, m_rho, y));
-    if (own.contains(sheet.corners[0])) r.misfit[s] = z;
+    if (own.contains(*std::min_element(sheet.corners.begin(), sheet.corners.end())))
+      r.misfit[s] = z;
     add_turned(own, sheet, s, z, r.turned);
   });
-  for (Eigen::Index v = 0; v < y.size(); ++v) {
+  for (Eigen::Index v = 0; v < vertices(); ++v) {
     Quaternion<double>& z = r.misfit[n + v];
     z = finish(static_cast<int>(n + v), 1 / m_geometry->areas[v] * z - m_rho[v] * y[v]);
     r.turned[v] += turned_at(v, z);
   }
+  m_geometry->part.complete(components(r.misfit).rightCols(y.size()));
   return r;
 }
 
@@ -173,12 +178,15 @@ auto Dirac_misfit::adjoint(const Spins& z, const Eigen::VectorXd& d) const -> Sp
 double Dirac_misfit::squared_norm(const Spins& z) const
 {
   using Conformal_geometry_processing::squared_norm;
+  const Surface_part& part = m_geometry->part;
   double on_sheets = 0, at_vertices = 0;
-  Eigen::Index i = 0;
-  for (const Triangle& sheet : m_geometry->sheets)
-    on_sheets += sheet.share * sheet.area * squared_norm(z[i++]);
+  for (int s = 0; s < part.own_faces(sheets()); ++s) {
+    const Triangle& sheet = m_geometry->sheets[static_cast<std::size_t>(s)];
+    on_sheets += sheet.share * sheet.area * squared_norm(z[s]);
+  }
+  Eigen::Index i = sheets();
   for (const double area : m_geometry->areas) at_vertices += area * squared_norm(z[i++]);
-  return m_weights.sheets * on_sheets + m_weights.vertices * at_vertices;
+  return part.sum(m_weights.sheets * on_sheets + m_weights.vertices * at_vertices);
 }
 
 Misfit_sizes misfit_sizes(const Dirac_misfit::Geometry& geometry, const Eigen::VectorXd& rho,

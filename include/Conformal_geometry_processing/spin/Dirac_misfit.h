@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
+#include <Conformal_geometry_processing/mesh/Surface_part.h>
 #include <Conformal_geometry_processing/mesh/Surface_ref.h>
 #include <Quaternionic_linear_algebra/algebra/Quaternion_vector.h>
 
@@ -53,10 +54,11 @@ class Dirac_misfit {
 
   /// what does not depend on lambda and rho: the sheets, and M_V
   struct Geometry {
+    Surface_part part;
     std::vector<Triangle> sheets;
     Eigen::VectorXd areas;
 
-    explicit Geometry(const Surface_ref& surface);
+    explicit Geometry(const Surface_ref& surface, const Surface_part& part = {});
   };
 
   /// \param geometry must outlive the object
@@ -82,6 +84,8 @@ class Dirac_misfit {
 
  private:
   int sheets() const { return static_cast<int>(m_geometry->sheets.size()); }
+  /// those where functions sum up
+  int vertices() const { return m_geometry->part.own_vertices(m_lambda.size()); }
   template <class Visit>
   void for_each_owned_sheet(const Visit& visit) const;
   double growth(int i, const Spins& y) const;

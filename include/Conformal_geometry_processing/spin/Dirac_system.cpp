@@ -59,17 +59,19 @@ Block<Quaternion<double>> closed_response(const Hermitian_sparse_matrix<Quaterni
 
 internal::Dirac_system::Dirac_system(const Surface_ref& surface,
                                      const Boundary_condition& condition,
-                                     const std::string& function, const Spin_solvers& solvers)
+                                     const std::string& function, const Spin_solvers& solvers,
+                                     const Surface_part& part)
     : m_function(function),
       m_surface(surface),
+      m_part(part),
       m_is_closed(boundary_loops(surface).empty()),
       m_is_self_adjoint(condition.is_self_adjoint()),
-      m_areas(vertex_areas(surface)),
       m_X(vertex_graph(surface)),
       m_solvers(solvers),
       m_solver(solvers.solver<Quaternion<double>>())
 {
   using Kind = Boundary_condition::Kind;
+  find_areas();
   require_condition(surface, condition, function);
   check("analysis", m_solver.analyze_with_positions(m_X.pattern(), surface.positions()));
   if (condition.kind == Kind::positions)
@@ -86,8 +88,15 @@ void internal::Dirac_system::update_geometry()
 {
   ++m_changes;
   m_rho.reset();
-  m_areas = vertex_areas(m_surface);
+  find_areas();
   if (m_directions) m_directions->update_geometry();
+}
+
+void internal::Dirac_system::find_areas()
+{
+  m_areas = vertex_areas(m_surface);
+  m_part.clear_others(m_areas);
+  m_area = m_part.sum(m_areas.sum());
 }
 
 internal::Coefficients internal::Dirac_system::coefficients() const
@@ -98,7 +107,7 @@ internal::Coefficients internal::Dirac_system::coefficients() const
 double internal::Dirac_system::unit() const
 {
   const double pi = std::acos(-1.);
-  return 4 * pi / m_areas.sum();
+  return 4 * pi / m_area;
 }
 
 void internal::Dirac_system::assemble(const Curvature_potential& rho,
@@ -203,28 +212,28 @@ void internal::Dirac_system::release()
 
 double internal::Dirac_system::squared_norm(const Quaternion_vector<double>& a) const
 {
-  return inner_product(a, m_areas, a).w;
+  return m_part.sum(inner_product(a, m_areas, a).w);
 }
 
 double internal::Dirac_system::overlap(const Quaternion_vector<double>& a,
                                        const Quaternion_vector<double>& b) const
 {
-  return norm(reduced_to(coefficients(), inner_product(a, m_areas, b))) /
+  return norm(reduced_to(coefficients(), sum(inner_product(a, m_areas, b)))) /
          std::sqrt(squared_norm(a) * squared_norm(b));
 }
 
 double internal::Dirac_system::overlap_with_identity(const Quaternion_vector<double>& a) const
 {
   const auto one = Quaternion_vector<double>::Constant(a.size(), {1, 0, 0, 0}).eval();
-  return norm(inner_product(a, m_areas, one)) / std::sqrt(squared_norm(a) * m_areas.sum());
+  return norm(sum(inner_product(a, m_areas, one))) / std::sqrt(squared_norm(a) * m_area);
 }
 
 Quaternion_vector<double> internal::Dirac_system::normalized(Quaternion_vector<double> lambda) const
 {
   if (m_directions)
-    components(lambda) *= std::sqrt(m_areas.sum() / squared_norm(lambda));
+    components(lambda) *= std::sqrt(m_area / squared_norm(lambda));
   else
-    fix_gauge(lambda, m_areas);
+    fix_gauge(lambda, m_areas, m_part);
   return lambda;
 }
 

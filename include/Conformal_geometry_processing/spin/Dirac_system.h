@@ -1,6 +1,7 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #pragma once
 
+#include <Conformal_geometry_processing/mesh/Surface_part.h>
 #include <Conformal_geometry_processing/mesh/Surface_ref.h>
 #include <Conformal_geometry_processing/operators/Curvature_potential.h>
 #include <Conformal_geometry_processing/operators/dirac_energy.h>
@@ -49,9 +50,11 @@ class Dirac_system {
   /// \throw Precondition_error if the condition does not fit the surface, see
   /// `require_condition()`, or if prescribed positions require another spin structure
   /// \throw Solver_error if the analysis fails
+  /// \param part which of the surface is meant, whose solvers solve systems of the whole; without
+  /// prescribed directions or positions
   explicit Dirac_system(const Surface_ref& surface, const Boundary_condition& condition = {},
                         const std::string& function = "Dirac_system",
-                        const Spin_solvers& solvers = {});
+                        const Spin_solvers& solvers = {}, const Surface_part& part = {});
 
   Dirac_system(const Dirac_system&) = delete;
   Dirac_system& operator=(const Dirac_system&) = delete;
@@ -61,7 +64,23 @@ class Dirac_system {
   void update_geometry();
 
   const Surface_ref& surface() const { return m_surface; }
+  const Surface_part& part() const { return m_part; }
   const Eigen::VectorXd& areas() const { return m_areas; }  ///< M_V, |V|
+  double area() const { return m_area; }                    ///< their sum
+
+  /// over the area, of values at vertices
+  double mean(const Eigen::VectorXd& values) const
+  {
+    return m_part.sum(m_areas.dot(values)) / m_area;
+  }
+
+  /// of all parts
+  Quaternion<double> sum(const Quaternion<double>& own) const
+  {
+    const Eigen::VectorXd all = m_part.sum(Eigen::Vector4d(own.w, own.x, own.y, own.z));
+    return {all[0], all[1], all[2], all[3]};
+  }
+
   const Matrix& matrix() const { return m_X; }
   bool is_closed() const { return m_is_closed; }
 
@@ -168,10 +187,14 @@ class Dirac_system {
   void check(const char* step, Solver_status status) const;
   Solver_status factorize(const Eigen::VectorXd& shift, Use use);
 
+  void find_areas();
+
   std::string m_function;
   Surface_ref m_surface;
+  Surface_part m_part;
   bool m_is_closed, m_is_self_adjoint;
   Eigen::VectorXd m_areas;  // |V|
+  double m_area = 0;
   Matrix m_X;
   std::optional<Curvature_potential> m_rho;  // of m_X
   Spin_solvers m_solvers;

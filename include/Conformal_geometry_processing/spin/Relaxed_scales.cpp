@@ -17,7 +17,7 @@ Spin_residuals with_scales(Spin_residuals others, Scale_residual& scales, bool i
 /// without its mean, where that has no effect
 Eigen::VectorXd effective(Eigen::VectorXd rho, const Dirac_system& system)
 {
-  if (system.is_self_adjoint()) rho.array() -= system.areas().dot(rho) / system.areas().sum();
+  if (system.is_self_adjoint()) rho.array() -= system.mean(rho);
   return rho;
 }
 
@@ -28,7 +28,8 @@ Relaxed_scales::Relaxed_scales(Dirac_system& system, const Eigen::VectorXd& rho,
       m_control(control),
       m_options(options),
       m_rho(effective(rho, system)),
-      m_scales(system.areas(), wanted_log_scales(system.areas(), control), control.weights),
+      m_scales(system.areas(), wanted_log_scales(system.areas(), control), control.weights,
+               system.part()),
       m_spins(system, m_rho, with_scales(std::move(others), m_scales, is_bounded()), options.spins)
 {}
 
@@ -58,7 +59,7 @@ void Relaxed_scales::set_weight(double weight)
 
 double Relaxed_scales::excess_of(const Relaxed_spins::Spins& lambda) const
 {
-  return measured_scales(lambda, m_system.areas(), m_control).excess();
+  return measured_scales(lambda, m_system.areas(), m_control, m_system.part()).excess();
 }
 
 // At the spins where a step begins; none where the bound is far.
@@ -209,16 +210,16 @@ void Relaxed_scales::restart(const State& state)
 Dirac_solution Relaxed_scales::solution() const
 {
   const Relaxed_costs& costs = m_spins.costs();
-  const Eigen::VectorXd& areas = m_system.areas();
   Dirac_solution s;
   s.lambda = m_system.normalized(m_spins.lambda());
   s.is_relaxed = true;
   s.is_unfinished = is_spent();
   s.cancelled = m_end == End::cancelled;
-  s.converged = !s.cancelled && components(s.lambda).allFinite();
-  s.eigenvalue = areas.dot(m_spins.rho() - m_rho) / areas.sum();
+  s.converged = !s.cancelled && m_system.part().sum(components(s.lambda).allFinite() ? 0 : 1) == 0;
+  s.eigenvalue = m_system.mean(m_spins.rho() - m_rho);
   s.dirac_residual =
-      dirac_misfit(m_system.surface(), Curvature_potential::on_vertices(m_spins.rho()), s.lambda);
+      dirac_misfit(m_system.surface(), Curvature_potential::on_vertices(m_spins.rho()), s.lambda,
+                   m_system.part());
   s.overlap = m_system.overlap_with_identity(s.lambda);
   s.iterations = m_iterations;
   s.factorizations = costs.factorizations;
@@ -229,9 +230,11 @@ Dirac_solution Relaxed_scales::solution() const
 
 Spin_report::Scales Relaxed_scales::scales() const
 {
-  Spin_report::Scales scales = measured_scales(m_spins.lambda(), m_system.areas(), m_control);
+  Spin_report::Scales scales =
+      measured_scales(m_spins.lambda(), m_system.areas(), m_control, m_system.part());
   scales.weight = m_weight > m_options.least_weight ? m_weight : 0;
-  measure_kept(m_rho, m_spins.rho(), m_system.areas(), m_system.is_self_adjoint(), scales);
+  measure_kept(m_rho, m_spins.rho(), m_system.areas(), m_system.is_self_adjoint(), scales,
+               m_system.part());
   return scales;
 }
 

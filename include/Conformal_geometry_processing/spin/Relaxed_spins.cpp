@@ -16,7 +16,8 @@
 namespace Conformal_geometry_processing::internal {
 
 Potential_metric::Potential_metric(const Dirac_system& system, double s)
-    : m_areas(system.areas()),
+    : m_part(system.part()),
+      m_areas(system.areas()),
       m_matrix(system.matrix().shared_pattern()),
       m_coupled(system.solver().another<double>())
 {
@@ -43,6 +44,7 @@ Eigen::MatrixXd Potential_metric::apply(const Eigen::MatrixXd& d) const
 {
   Eigen::MatrixXd y(d.rows(), d.cols());
   for (Eigen::Index k = 0; k < d.cols(); ++k) m_matrix.multiply(d.col(k), y.col(k));
+  m_part.clear_others(y);
   return y;
 }
 
@@ -53,29 +55,31 @@ void Potential_metric::check(Solver_status status)
 
 /// |y| / |lambda| of each vertex, root mean square over the area
 double relative_size(const Quaternion_vector<double>& y, const Quaternion_vector<double>& lambda,
-                     const Eigen::VectorXd& areas)
+                     const Dirac_system& system)
 {
-  double sum = 0;
+  Eigen::VectorXd squares(y.size());
   for (Eigen::Index v = 0; v < y.size(); ++v)
-    sum += areas[v] * squared_norm(y[v]) / squared_norm(lambda[v]);
-  return std::sqrt(sum / areas.sum());
+    squares[v] = squared_norm(y[v]) / squared_norm(lambda[v]);
+  return std::sqrt(system.mean(squares));
 }
 
-double default_vertex_weight(const Surface_ref& surface)
+double default_vertex_weight(const Surface_ref& surface, const Surface_part& part)
 {
   const double pi = std::acos(-1.);
-  double area = 0, sum = 0;
-  for (int s = 0; s < surface.size_of_sheets(); ++s) {
+  Eigen::Vector2d sums(0, 0);  // of areas, and of edges over the area
+  for (int s = 0; s < part.own_faces(surface.size_of_sheets()); ++s) {
     const Sheet sheet = surface.sheet(s);
-    area += sheet.share * sheet.area;
-    sum += sheet.share * sheet.area * std::sqrt(4 / std::sqrt(3.) * sheet.area);
+    const double area = sheet.share * sheet.area;
+    sums += Eigen::Vector2d(area, area * std::sqrt(4 / std::sqrt(3.) * sheet.area));
   }
-  return 1.5 * std::sqrt(area / (4 * pi)) / (sum / area);
+  sums = part.sum(sums);
+  return 1.5 * std::sqrt(sums[0] / (4 * pi)) / (sums[1] / sums[0]);
 }
 
-Misfit_weights completed(Misfit_weights weights, const Surface_ref& surface)
+Misfit_weights completed(Misfit_weights weights, const Dirac_system& system)
 {
-  if (weights.vertices == 0) weights.vertices = default_vertex_weight(surface);
+  if (weights.vertices == 0)
+    weights.vertices = default_vertex_weight(system.surface(), system.part());
   return {weights.factor * weights.sheets, weights.factor * weights.vertices};
 }
 
@@ -91,11 +95,12 @@ Relaxed_spins::Relaxed_spins(Dirac_system& system, Eigen::VectorXd rho, Spin_res
     : m_system(system),
       m_gauge(system),
       m_options(options),
-      m_geometry(system.surface()),
-      m_weights(completed(options.weights, system.surface())),
+      m_geometry(system.surface(), system.part()),
+      m_weights(completed(options.weights, system)),
       m_nearness(m_gauge.is_free()
                      ? std::optional<Nearness_residual>(
-                           m_weights.sum() * nearness_weight(system.surface()) * system.areas())
+                           m_weights.sum() * nearness_weight(system.surface(), system.part()) *
+                           system.areas())
                      : std::nullopt),
       m_residuals(with_nearness(std::move(residuals), m_nearness)),
       m_metric(system, options.smoothness / system.unit()),
@@ -157,15 +162,16 @@ Eigen::VectorXd Relaxed_spins::metric_product(const Eigen::VectorXd& d) const
 {
   const Eigen::VectorXd& areas = m_metric.areas();
   Eigen::VectorXd image = m_metric.apply(d);
-  if (m_constants_are_free) image -= areas * (areas.dot(d) / areas.sum());
+  if (m_constants_are_free) image -= areas * m_system.mean(d);
   return image;
 }
 
 auto Relaxed_spins::terms_of(const Dirac_misfit& there) const -> Terms
 {
   const Eigen::VectorXd e = there.rho() - m_wanted;
-  return {there.squared_norm(there.residual().misfit), e.dot(metric_product(e)),
-          values_at(there.lambda(), m_residuals).squaredNorm()};
+  const Surface_part& part = m_system.part();
+  return {there.squared_norm(there.residual().misfit), part.sum(e.dot(metric_product(e))),
+          part.sum(values_at(there.lambda(), m_residuals).squaredNorm())};
 }
 
 auto Relaxed_spins::gradient() -> Step
@@ -194,8 +200,9 @@ Eigen::MatrixXd Relaxed_spins::solve_potential(const Eigen::MatrixXd& b)
   m_costs.scalar_solves += static_cast<int>(b.cols());
   if (!m_constants_are_free) return d;
   const Eigen::VectorXd& areas = m_metric.areas();
-  const Eigen::RowVectorXd means = areas.transpose() * d;
-  return d + m_constants * (means / (areas.sum() - areas.dot(m_constants)));
+  const Eigen::VectorXd sums = m_system.part().sum(d.transpose() * areas);
+  const double rest = 1 - m_system.mean(m_constants);
+  return d + m_constants * (sums.transpose() / (m_system.area() * rest));
 }
 
 auto Relaxed_spins::schur_product(const Vectors& y) -> Vectors
@@ -235,6 +242,7 @@ auto Relaxed_spins::solve_schur(Vectors b, const std::function<bool()>& go_furth
   options.max_iterations = m_options.max_iterations;
   options.leading_columns = 1;
   options.go_further = go_further;
+  options.sum_of_parts = m_system.part().sum_of_parts;
   for (Eigen::Index k = 0; k < b.cols(); ++k)
     b.col(k) = m_gauge.projected_gradient(m_lambda, b.col(k));
   Vectors x;
@@ -260,17 +268,23 @@ auto Relaxed_spins::step(const Unknown& unknown, const std::function<bool()>& go
     s.spins += t * response;
   }
   s.potential = solve_potential(here().apply(s.spins).turned - g.potential);
-  s.slope = inner_product(g.spins, s.spins).w + g.potential.dot(s.potential);
-  if (t != 0) s.slope -= std::expm1(t) * inner_product(unknown.force, s.spins).w;
+  s.slope = product(g, s);
+  if (t != 0) s.slope -= std::expm1(t) * m_system.sum(inner_product(unknown.force, s.spins)).w;
   return s;
+}
+
+double Relaxed_spins::product(const Step& g, const Step& s) const
+{
+  return m_system.part().sum(inner_product(g.spins, s.spins).w + g.potential.dot(s.potential));
 }
 
 bool Relaxed_spins::is_far_from_zero(const Spins& lambda) const
 {
   const double least = .1;  // of what each spin was
+  double shorter = 0;       // how many
   for (Eigen::Index v = 0; v < lambda.size(); ++v)
-    if (!(squared_norm(lambda[v]) > least * least * squared_norm(m_lambda[v]))) return false;
-  return true;
+    if (!(squared_norm(lambda[v]) > least * least * squared_norm(m_lambda[v]))) ++shorter;
+  return m_system.part().sum(shorter) == 0;
 }
 
 auto Relaxed_spins::advance(const std::function<bool()>& go_further, const Unknown& unknown)
@@ -291,7 +305,7 @@ auto Relaxed_spins::advance(const std::function<bool()>& go_further, const Unkno
     if (!(sum <= p.before + 2 * decrease * t * s.slope)) continue;
     p.after = sum;
     p.length = t;
-    p.moved = t * relative_size(s.spins, m_lambda, m_system.areas());
+    p.moved = t * relative_size(s.spins, m_lambda, m_system);
     m_lambda = next.lambda();
     m_rho = next.rho();
     m_here.emplace(std::move(next));
@@ -307,7 +321,7 @@ void Relaxed_spins::meet_few(bool is_anew)
   const Spins y =
       m_preconditioner.correction(values_at(m_lambda, vanishing_of(m_residuals)), m_costs);
   if (!is_far_from_zero(m_lambda - y)) return;
-  m_preconditioner.moved(relative_size(y, m_lambda, m_system.areas()));
+  m_preconditioner.moved(relative_size(y, m_lambda, m_system));
   m_lambda = m_gauge.normalized(m_lambda - y);
   m_here.reset();
 }

@@ -1,6 +1,7 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #pragma once
 
+#include <Conformal_geometry_processing/mesh/Surface_part.h>
 #include <Conformal_geometry_processing/spin/Dirac_misfit.h>
 #include <Conformal_geometry_processing/spin/Dirac_system.h>
 #include <Conformal_geometry_processing/spin/Spin_gauge.h>
@@ -45,11 +46,12 @@ class Potential_metric {
   Eigen::MatrixXd apply(const Eigen::MatrixXd& d) const;
 
   /// <d, K d>
-  double squared_norm(const Eigen::VectorXd& d) const { return d.dot(apply(d).col(0)); }
+  double squared_norm(const Eigen::VectorXd& d) const { return m_part.sum(d.dot(apply(d).col(0))); }
 
  private:
   static void check(Solver_status status);
 
+  Surface_part m_part;
   Eigen::VectorXd m_areas;
   Hermitian_sparse_matrix<double> m_matrix;  // K
   Solver_ref<double> m_coupled;              // of K + w M
@@ -181,6 +183,7 @@ class Relaxed_spins {
   Dirac_misfit misfit(const Spins& lambda, const Eigen::VectorXd& rho) const;
   const Dirac_misfit& here() const;
   Terms terms_of(const Dirac_misfit& there) const;
+  double product(const Step& gradient, const Step& step) const;
   Eigen::VectorXd metric_product(const Eigen::VectorXd& d) const;
   void couple();
   Eigen::MatrixXd solve_potential(const Eigen::MatrixXd& b);
@@ -209,6 +212,6 @@ class Relaxed_spins {
 /// \brief 1.5 R / h with h the mean over the area of the edges of equilateral triangles of the
 /// areas of the sheets, which slivers do not change: such that the misfit of the result falls like
 /// h under refinement, and the iterations of a step grow like the root of 1 / h.
-double default_vertex_weight(const Surface_ref& surface);
+double default_vertex_weight(const Surface_ref& surface, const Surface_part& part = {});
 
 }  // namespace Conformal_geometry_processing::internal

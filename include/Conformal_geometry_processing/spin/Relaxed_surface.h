@@ -1,69 +1,29 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #pragma once
 
+#include <Conformal_geometry_processing/spin/Dirac_solution.h>
+#include <Conformal_geometry_processing/spin/Dirac_system.h>
 #include <Conformal_geometry_processing/spin/Period_residual.h>
 #include <Conformal_geometry_processing/spin/Relaxed_scales.h>
+#include <Conformal_geometry_processing/spin/Spin_report.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
 #include <Quaternionic_linear_algebra/algebra/Quaternion_vector.h>
+#include <Quaternionic_linear_algebra/krylov/Eigensolver_result.h>
 
 #include <Eigen/Core>
 
+#include <functional>
 #include <optional>
 
 namespace Conformal_geometry_processing::internal {
-
-/// a search for spins, with what closes handles and holes
-struct Relaxed_surface {
-  std::optional<Period_residual> periods;
-  Relaxed_scales scales;
-
-  /// \param rho wanted, |V|, in the unit of the surface
-  Relaxed_surface(Spin_transformation& transformation, const Eigen::VectorXd& rho,
-                  const Scale_control& control, const Relaxed_scales_options& options)
-      : scales(transformation.system(), rho, control, closing(transformation), options)
-  {}
-
-  /// goes on from spins that solve the equation of rho
-  void begin_at(const Quaternion_vector<double>& lambda, const Eigen::VectorXd& rho,
-                const Go_further& go_further)
-  {
-    scales.restart({lambda, rho, 0, 0});
-    scales.go_on(go_further);
-  }
-
-  /// takes off what a finite weight has left of the periods
-  void close()
-  {
-    const int times = 2;
-    for (int i = 0; i < times && periods && scales.steps() > 0; ++i) scales.meet_few(false);
-  }
-
-  /// likewise; where that takes lengths beyond their bound, goes on with room for it
-  void close_within_bound(const Go_further& go_further)
-  {
-    const int most_tries = 3;
-    for (int i = 0; i <= most_tries; ++i) {
-      const double before = scales.excess();
-      close();
-      if (!(scales.excess() > 1) || i == most_tries) return;
-      scales.leave_room(scales.excess() - before);
-      if (scales.go_on(go_further) == Relaxed_scales::End::cancelled) return;
-    }
-  }
-
- private:
-  Spin_residuals closing(Spin_transformation& transformation)
-  {
-    const Exactness_constraints* const loops = transformation.closing();
-    if (!loops) return {};
-    return {&periods.emplace(transformation.system().surface(), *loops)};
-  }
-};
 
 /// where a search begins
 struct Closing_start {
   Quaternion_vector<double> lambda = {};  ///< empty: at the guide
   bool is_ambiguous = false;              ///< another one closes up nearly as well
+  std::optional<Relaxed_scales::State> resumed = std::nullopt;  ///< of a search that was ended
+
+  bool is_guided() const { return lambda.size() == 0; }
 
   /// Vectors of the kernel solve the equation: the first step closes them to first order, the
   /// second takes off what is left. Further ones go along the kernel to where the misfit of the
@@ -74,6 +34,60 @@ struct Closing_start {
     options.max_steps = 2;
     return options;
   }
+};
+
+/// a search for spins whose surface keeps to a bound on lengths, and closes around handles and
+/// holes
+class Relaxed_surface {
+ public:
+  /// the surface of spins, with its report; without positions if they were cancelled
+  using Surface_of = std::function<Spin_result(Dirac_solution)>;
+
+  /// \brief with what closes handles and holes.
+  /// \param rho wanted, |V|, in the unit of the surface
+  Relaxed_surface(Spin_transformation& transformation, const Eigen::VectorXd& rho,
+                  const Scale_control& control, const Relaxed_scales_options& options);
+
+  /// without
+  Relaxed_surface(Dirac_system& system, const Eigen::VectorXd& rho, const Scale_control& control,
+                  const Relaxed_scales_options& options = {});
+
+  /// what iterations may leave of the sum of the terms; open surfaces are softer
+  static double negligible(const Dirac_system& system, const Scale_control& control);
+
+  /// \brief searches, with larger weights of the misfit and of periods and then for less of rho,
+  /// until the edges close up and the map is conformal, as far as that helps.
+  /// \param rho that of the constructor
+  Spin_result surface(const Closing_start& start, const Eigen::VectorXd& rho,
+                      const Surface_of& surface_of, const Go_further& go_further);
+
+  Relaxed_scales& scales() { return m_scales; }
+  const Relaxed_scales& scales() const { return m_scales; }
+
+  /// goes on from spins that solve the equation of rho
+  void begin_at(const Quaternion_vector<double>& lambda, const Eigen::VectorXd& rho,
+                const Go_further& go_further);
+
+  /// takes off what a finite weight has left of the periods
+  void close();
+
+  /// likewise; where that takes lengths beyond their bound, goes on with room for it
+  void close_within_bound(const Go_further& go_further);
+
+  /// the factors of lengths, and what is kept of rho
+  Spin_report::Scales kept(const Eigen::VectorXd& rho) const;
+
+ private:
+  Spin_residuals closing(Spin_transformation& transformation);
+  double shear(const Spin_report& report) const;
+  void close_up(const Surface_of& surface_of, const Go_further& go_further, Spin_result& result);
+  void ask_for_less(const Eigen::VectorXd& rho, const Surface_of& surface_of,
+                    const Go_further& go_further, Spin_result& result);
+
+  Dirac_system& m_system;
+  bool m_is_bounded;
+  std::optional<Period_residual> m_periods;
+  Relaxed_scales m_scales;
 };
 
 }  // namespace Conformal_geometry_processing::internal

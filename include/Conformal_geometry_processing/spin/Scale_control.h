@@ -1,9 +1,9 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #pragma once
 
-#include <Quaternionic_linear_algebra/algebra/Quaternion_vector.h>
-
+#include <Conformal_geometry_processing/mesh/Surface_part.h>
 #include <Conformal_geometry_processing/spin/Spin_report.h>
+#include <Quaternionic_linear_algebra/algebra/Quaternion_vector.h>
 
 #include <Eigen/Core>
 
@@ -40,7 +40,8 @@ struct Scale_control {
 /// the bound, and the factors by which spins multiply lengths
 /// \param areas |V|, of the vertices
 Spin_report::Scales measured_scales(const Quaternion_vector<double>& lambda,
-                                    const Eigen::VectorXd& areas, const Scale_control& control);
+                                    const Eigen::VectorXd& areas, const Scale_control& control,
+                                    const Surface_part& part = {});
 
 /// the logarithms of the wanted factors of lengths, |V|; zeros where none are wanted
 Eigen::VectorXd wanted_log_scales(const Eigen::VectorXd& areas, const Scale_control& control);
@@ -49,6 +50,7 @@ Eigen::VectorXd wanted_log_scales(const Eigen::VectorXd& areas, const Scale_cont
 /// \param areas that belong to the values
 /// \param is_closed: both are taken without their means, which have no effect then
 void measure_kept(const Eigen::VectorXd& rho, const Eigen::VectorXd& found,
-                  const Eigen::VectorXd& areas, bool is_closed, Spin_report::Scales& scales);
+                  const Eigen::VectorXd& areas, bool is_closed, Spin_report::Scales& scales,
+                  const Surface_part& part = {});
 
 }  // namespace Conformal_geometry_processing::internal

@@ -12,8 +12,7 @@ namespace Conformal_geometry_processing::internal {
 
 auto Spin_gauge::normalized(Spins lambda) const -> Spins
 {
-  if (!m_is_free)
-    components(lambda) *= std::sqrt(m_system.areas().sum() / m_system.squared_norm(lambda));
+  if (!m_is_free) components(lambda) *= std::sqrt(m_system.area() / m_system.squared_norm(lambda));
   return lambda;
 }
 
@@ -22,7 +21,8 @@ auto Spin_gauge::projected(const Spins& lambda, Spins y) const -> Spins
   if (m_is_free) return y;
   y = m_system.projected(std::move(y)).col(0);
   const Quaternion<double> q =
-      reduced_to(m_system.coefficients(), inner_product(lambda, m_system.areas(), y)) *
+      reduced_to(m_system.coefficients(),
+                 m_system.sum(inner_product(lambda, m_system.areas(), y))) *
       (-1 / m_system.squared_norm(lambda));
   add_multiple(y, lambda, q);
   return y;
@@ -32,8 +32,9 @@ auto Spin_gauge::projected_gradient(const Spins& lambda, Spins g) const -> Spins
 {
   if (m_is_free) return g;
   g = m_system.projected(std::move(g)).col(0);
-  const Quaternion<double> q = reduced_to(m_system.coefficients(), inner_product(lambda, g)) *
-                               (-1 / m_system.squared_norm(lambda));
+  const Quaternion<double> q =
+      reduced_to(m_system.coefficients(), m_system.sum(inner_product(lambda, g))) *
+      (-1 / m_system.squared_norm(lambda));
   for (Eigen::Index v = 0; v < g.size(); ++v) g[v] += m_system.areas()[v] * (lambda[v] * q);
   return g;
 }

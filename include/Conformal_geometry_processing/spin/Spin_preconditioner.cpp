@@ -93,14 +93,15 @@ bool Spin_preconditioner::factorize(const Eigen::VectorXd& rho, Relaxed_costs& c
   Eigen::VectorXd shift = least * m_system.unit() * m_system.areas();
   for (const Spin_residual* residual : m_dense)
     if (const Eigen::VectorXd s = residual->stiffness(); s.size() > 0) shift += s / m_weight;
-  const double ratio = shift.sum() / m_factored_stiffness;
+  const double stiffness = m_system.part().sum(shift.sum());
+  const double ratio = stiffness / m_factored_stiffness;
   const bool is_kept = m_system.changes() == m_factored_changes && m_moved < m_reuse &&
                        ratio < most_change && ratio > 1 / most_change;
   if (is_kept) return false;
   m_system.set_potential(Curvature_potential::on_vertices(rho), shift, costs.seconds);
   ++costs.factorizations;
   m_moved = 0;
-  m_factored_stiffness = shift.sum();
+  m_factored_stiffness = stiffness;
   m_factored_changes = m_system.changes();
   return true;
 }

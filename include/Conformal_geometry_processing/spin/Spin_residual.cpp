@@ -100,7 +100,8 @@ Block<Quaternion<double>> log_scale_gradient(const Quaternion_vector<double>& la
 
 double nearness_weight(const Surface_ref& surface, const internal::Surface_part& part)
 {
-  const double pi = std::acos(-1.), area = part.sum(face_areas(surface).sum());
+  const Eigen::VectorXd areas = face_areas(surface);
+  const double pi = std::acos(-1.), area = part.sum(areas.head(part.own_faces(areas.size())).sum());
   const double alpha = 10 * mean_edge_length(surface, part) / (area / pi);
   return alpha * alpha;
 }
@@ -127,8 +128,12 @@ auto Nearness_residual::gradient(const Eigen::VectorXd& y) const -> Spins
 }
 
 Scale_residual::Scale_residual(Eigen::VectorXd areas, Eigen::VectorXd wanted,
-                               const Eigen::VectorXd& weights)
-    : m_areas(std::move(areas)), m_masses(m_areas), m_wanted(std::move(wanted))
+                               const Eigen::VectorXd& weights, Surface_part part)
+    : m_part(std::move(part)),
+      m_areas(std::move(areas)),
+      m_masses(m_areas),
+      m_wanted(std::move(wanted)),
+      m_area(m_part.sum(m_areas.sum()))
 {
   if (weights.size() > 0) m_masses.array() *= weights.array();
 }
@@ -151,13 +156,13 @@ Eigen::VectorXd Scale_residual::change(const Spins& dlambda) const
 auto Scale_residual::gradient(const Eigen::VectorXd& y) const -> Spins
 {
   Eigen::VectorXd z = (m_weight * m_masses).cwiseSqrt().cwiseProduct(y);
-  z -= m_areas * (z.sum() / m_areas.sum());
+  z -= m_areas * (m_part.sum(z.sum()) / m_area);
   return log_scale_gradient(m_lambda, z);
 }
 
 Eigen::VectorXd Scale_residual::weighted(Eigen::VectorXd u) const
 {
-  u.array() -= m_areas.dot(u) / m_areas.sum();
+  u.array() -= m_part.sum(m_areas.dot(u)) / m_area;
   return (m_weight * m_masses).cwiseSqrt().cwiseProduct(u);
 }
 

@@ -1,6 +1,7 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #pragma once
 
+#include <Conformal_geometry_processing/mesh/Surface_part.h>
 #include <Conformal_geometry_processing/mesh/Surface_ref.h>
 #include <Quaternionic_linear_algebra/algebra/Quaternion_vector.h>
 
@@ -126,8 +127,9 @@ class Scale_residual : public Spin_residual {
   /// \param areas |V|
   /// \param wanted |V|, logs of factors of lengths
   /// \param weights |V|, of the areas, not negative; empty: 1
-  Scale_residual(Eigen::VectorXd areas, Eigen::VectorXd wanted,
-                 const Eigen::VectorXd& weights = {});
+  /// \param part whose areas these are
+  Scale_residual(Eigen::VectorXd areas, Eigen::VectorXd wanted, const Eigen::VectorXd& weights = {},
+                 Surface_part part = {});
 
   /// \param w in 1/area
   void set_weight(double w) { m_weight = w; }
@@ -144,8 +146,9 @@ class Scale_residual : public Spin_residual {
  private:
   Eigen::VectorXd weighted(Eigen::VectorXd u) const;
 
+  Surface_part m_part;
   Eigen::VectorXd m_areas, m_masses, m_wanted;
-  double m_weight = 1;
+  double m_area, m_weight = 1;
   Spins m_lambda;
 };
 

@@ -71,7 +71,7 @@ inline std::optional<double> default_bound(const Spin_transformation_options& op
 }
 
 class Relaxed_scales;
-struct Relaxed_surface;
+class Relaxed_surface;
 struct Closing_start;
 }  // namespace internal
 
@@ -292,16 +292,8 @@ class Spin_transformation {
   /// tells how the equation of rho is solved, |V|, in the frame
   void judge_equation(Eigen::VectorXd rho, Spin_result& result) const;
 
-  /// raises weights until the edges close up and the map is conformal, as far as that helps
-  void close_up(internal::Relaxed_surface& search, const internal::Go_further& go_further,
-                Spin_result& result);
-
-  /// asks for shares of rho until the edges close up and the map is conformal
-  void ask_for_less(internal::Relaxed_surface& search, const Eigen::VectorXd& wanted,
-                    const internal::Go_further& go_further, Spin_result& result);
-
   /// tells what is kept of rho, or added to it, the constant included
-  void tell_shares(const internal::Relaxed_scales& found, const Eigen::VectorXd& wanted,
+  void tell_shares(const internal::Relaxed_surface& found, const Eigen::VectorXd& wanted,
                    const internal::Scale_control& control, Spin_report& report);
 
   /// rho at vertices, in the frame

@@ -62,10 +62,10 @@ internal::Closing_start Spin_transformation::closing_start(const Eigen::VectorXd
   std::vector<internal::Kernel_vector> found;
   for (Eigen::Index c = 0; c < vectors.cols(); ++c) {
     search.begin_at(vectors.col(c), rho, guarded);
-    found.push_back({c, search.scales.spins().terms().potential,
+    found.push_back({c, search.scales().spins().terms().potential,
                      system().overlap(vectors.col(c), system().directions()->guide())});
   }
-  internal::add_costs(m_unreported, in_units(search.scales.solution()).report);
+  internal::add_costs(m_unreported, in_units(search.scales().solution()).report);
   return internal::chosen(std::move(found), vectors);
 }
 

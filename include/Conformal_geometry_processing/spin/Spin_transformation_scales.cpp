@@ -94,95 +94,27 @@ void Spin_transformation::move_to_class(Spin_result& result)
   r.scales = now;
 }
 
-/// how far the edges are from closing up and, within a bound on lengths, the map from being
-/// conformal, relative to the limits: above 1 the mesh is too coarse for what is wanted
-inline double shear(const Spin_report& report, bool is_bounded)
-{
-  const Conformality& map = report.conformality;
-  const double Q = (std::max)(map.quasi_conformal.mean, map.quasi_conformal_of_new_area);
-  const double of_map = (Q - 1) / (report.limits.map.quasi_conformal - 1);
-  const double of_edges = report.closure_residual / report.limits.closure;
-  return is_bounded && of_map > of_edges ? of_map : of_edges;
-}
-
-/// by which weights of the misfit leave about so much less shear; steady where it begins to matter
-inline double stiffening(double shear)
-{
-  const double least = 1.1, most = 3, wanted = .9;
-  return std::isfinite(shear) ? std::clamp(std::pow(shear / wanted, 2), least, most) : most;
-}
-
 Spin_result Spin_transformation::relaxed(const Curvature_potential& rho,
                                          const internal::Scale_control& control, double stiffness,
                                          const internal::Go_further& go_further)
 {
   const Eigen::VectorXd wanted = in_frame(rho);
   const internal::Closing_start start = closing_start(wanted, go_further);
-  const bool is_guided = start.lambda.size() == 0;
   internal::Relaxed_scales_options search_options;
-  if (!is_guided && !control.bound) search_options = internal::Closing_start::few_steps();
+  if (!start.is_guided() && !control.bound) search_options = internal::Closing_start::few_steps();
   search_options.spins.weights.factor = stiffness;
-  // Open surfaces are softer, and the exact class is told from one nearby.
-  if (control.bound && system().is_closed() && !m_options.exact_conformal_class)
-    search_options.spins.negligible = 5e-4;
+  if (!m_options.exact_conformal_class)  // told from a class nearby
+    search_options.spins.negligible = internal::Relaxed_surface::negligible(system(), control);
   internal::Relaxed_surface search(*this, wanted, control, search_options);
-  if (is_guided)
-    search.scales.run(m_visits.guarded(go_further));
-  else
-    search.begin_at(start.lambda, wanted, m_visits.guarded(go_further));
-  search.close_within_bound(m_visits.guarded(go_further));
-  Spin_result result = surface_of(search.scales.solution());
-  if (is_guided) close_up(search, go_further, result);
-  if (m_options.scales.bound && shear(result.report, true) > 1)
-    ask_for_less(search, wanted, go_further, result);
-  if (!result.report.cancelled) tell_shares(search.scales, wanted, control, result.report);
+  Spin_result result = search.surface(
+      start, wanted, [this](auto found) { return surface_of(std::move(found)); },
+      m_visits.guarded(go_further));
+  if (!result.report.cancelled) tell_shares(search, wanted, control, result.report);
   auto& fault = result.report.boundary_fault;
   if (start.is_ambiguous && fault == Spin_report::Boundary_fault::none)
     fault = Spin_report::Boundary_fault::ambiguous;
   internal::add_costs(result.report, take_unreported());
   return result;
-}
-
-// As much less as there is too much shear, so that the surface changes steadily with rho; soon by
-// large parts. Not where that is in vain.
-void Spin_transformation::ask_for_less(internal::Relaxed_surface& search,
-                                       const Eigen::VectorXd& wanted,
-                                       const internal::Go_further& go_further, Spin_result& result)
-{
-  const double wanted_shear = .95, most_at_once = .7, least = .2;
-  const internal::Relaxed_scales::State all = search.scales.state();
-  double share = 1;
-  for (int power = 1; !search.scales.is_spent(); power *= 2) {
-    share *= (std::max)(most_at_once, std::pow(wanted_shear / shear(result.report, true), power));
-    if (!(share > least)) break;
-    search.scales.follow(share * wanted, m_visits.guarded(go_further));
-    search.close_within_bound(m_visits.guarded(go_further));
-    result = surface_of(search.scales.solution());
-    if (result.report.cancelled || shear(result.report, true) <= 1) return;
-  }
-  search.scales.restart(all);
-  result = surface_of(search.scales.solution());  // with all costs
-}
-
-void Spin_transformation::close_up(internal::Relaxed_surface& search,
-                                   const internal::Go_further& go_further, Spin_result& result)
-{
-  double period_weight = internal::Period_residual::default_weight;
-  const int max_tries = 4;
-  const double most_shear = .95, least_gain = .05;
-  const auto present = [&] { return shear(result.report, m_options.scales.bound.has_value()); };
-  const auto ends = [&] { return result.report.cancelled || search.scales.is_spent(); };
-  for (int i = 0; i < max_tries && !ends(); ++i) {
-    const bool is_open = !(result.report.period_defect <= result.report.period_limit);
-    const double before = present();
-    if (!is_open && before <= most_shear) return;
-    if (is_open) search.periods->set_weight(period_weight *= 30);
-    search.scales.stiffen(is_open ? 1 : stiffening(before), m_visits.guarded(go_further));
-    search.close_within_bound(m_visits.guarded(go_further));
-    result = surface_of(search.scales.solution());
-    const bool is_vain = !(present() < (1 - least_gain) * before);  // slivers, say
-    if (!is_open && is_vain) return;
-  }
 }
 
 Spin_result Spin_transformation::preview(const Curvature_potential& rho, bool continues)
@@ -197,7 +129,7 @@ Spin_result Spin_transformation::preview(const Curvature_potential& rho, bool co
   few.max_steps = 6;
   if (!search || !continues)
     search = std::make_shared<internal::Relaxed_surface>(*this, wanted, m_options.scales, few);
-  internal::Relaxed_scales& scales = search->scales;
+  internal::Relaxed_scales& scales = search->scales();
   scales.reset_costs();
   scales.renew_budget();
   if (continues && scales.steps() > 0)
@@ -206,7 +138,7 @@ Spin_result Spin_transformation::preview(const Curvature_potential& rho, bool co
     scales.run();
   search->close();
   Spin_result result = surface_of(scales.solution());
-  tell_shares(scales, wanted, m_options.scales, result.report);
+  tell_shares(*search, wanted, m_options.scales, result.report);
   internal::add_costs(result.report, take_unreported());
   return judged(std::move(result), rho);
 }
@@ -216,20 +148,18 @@ Eigen::VectorXd Spin_transformation::in_frame(const Curvature_potential& rho) co
   return domain().unit() * internal::values_at_vertices(domain().mesh(), rho);
 }
 
-void Spin_transformation::tell_shares(const internal::Relaxed_scales& found,
+void Spin_transformation::tell_shares(const internal::Relaxed_surface& found,
                                       const Eigen::VectorXd& wanted,
                                       const internal::Scale_control& control, Spin_report& report)
 {
-  Spin_report::Scales kept = found.scales();
-  const Eigen::VectorXd& areas = system().areas();
-  internal::measure_kept(wanted, found.spins().rho(), areas, system().is_self_adjoint(), kept);
-  const Eigen::VectorXd added = found.spins().rho() - wanted;
-  report.eigenvalue = areas.dot(added) / areas.sum() / domain().unit();
+  const Spin_report::Scales kept = found.kept(wanted);
+  const Eigen::VectorXd added = found.scales().spins().rho() - wanted;
+  report.eigenvalue = system().mean(added) / domain().unit();
   if (control.bound) report.scales = kept;
   if (!closing()) return;
   if (turns_directions()) {
     const double sphere = std::sqrt(4 * std::acos(-1.));
-    report.added_share = std::sqrt(areas.dot(added.cwiseAbs2())) / sphere;
+    report.added_share = std::sqrt(system().areas().dot(added.cwiseAbs2())) / sphere;
   } else {
     report.missing_share = kept.distance();
     const double left_out = (std::min)(kept.distance(), 1.);

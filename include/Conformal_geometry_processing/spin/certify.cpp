@@ -36,7 +36,8 @@ void certify(const Mesh_view& measured, const Points& f, const Quaternion_vector
 
 double internal::radius_of_area(const Surface_ref& surface, const Surface_part& part)
 {
-  return std::sqrt(part.sum(face_areas(surface).sum()) / std::acos(-1.));
+  const Eigen::VectorXd areas = face_areas(surface);
+  return std::sqrt(part.sum(areas.head(part.own_faces(areas.size())).sum()) / std::acos(-1.));
 }
 
 double greatest_misfit(const Surface_ref& surface, const internal::Surface_part& part)

@@ -5,23 +5,22 @@
 
 namespace Conformal_geometry_processing {
 
-void fix_gauge(Quaternion_vector<double>& lambda, const Eigen::VectorXd& areas)
+void fix_gauge(Quaternion_vector<double>& lambda, const Eigen::VectorXd& areas,
+               const internal::Surface_part& part)
 {
   const double vanishing = 1e-6;  // relative to the root mean square
-  const Eigen::VectorXd shares = areas / areas.sum();
-  Quaternion<double> direction;
-  double square = 0;
-  for (Eigen::Index i = 0; i < lambda.size(); ++i) {
-    direction += shares[i] * lambda[i];
-    square += shares[i] * squared_norm(lambda[i]);
-  }
-  const double length = std::sqrt(square);
-  if (norm(direction) < vanishing * length) {
+  const auto own = components(lambda).leftCols(part.own_vertices(lambda.size()));
+  const Eigen::VectorXd shares = areas.head(own.cols()) / part.sum(areas.head(own.cols()).sum());
+  const double length = std::sqrt(part.sum((own.colwise().squaredNorm() * shares).value()));
+  Eigen::VectorXd direction = part.sum(own * shares);
+  if (direction.norm() < vanishing * length) {
     Eigen::Index largest;
-    components(lambda).colwise().squaredNorm().maxCoeff(&largest);
-    direction = lambda[largest];
+    const double square = own.colwise().squaredNorm().maxCoeff(&largest);
+    const bool is_here = square == part.largest(Eigen::VectorXd::Constant(1, square));
+    direction = part.sum(is_here ? Eigen::VectorXd(own.col(largest)) : Eigen::Vector4d::Zero());
   }
-  const Quaternion<double> q = conjugate(direction) / (norm(direction) * length);
+  direction /= direction.norm() * length;
+  const Quaternion<double> q{direction[0], -direction[1], -direction[2], -direction[3]};
   for (Eigen::Index i = 0; i < lambda.size(); ++i) lambda[i] = lambda[i] * q;
 }
 

@@ -16,7 +16,8 @@ namespace Conformal_geometry_processing {
 /// A constant lambda thus becomes 1, and the surface as a whole neither turns nor grows. If the
 /// mean vanishes (it has no direction), the largest value is made real instead.
 /// \param areas the weights of the mean, |V| positive numbers
-void fix_gauge(Quaternion_vector<double>& lambda, const Eigen::VectorXd& areas);
+void fix_gauge(Quaternion_vector<double>& lambda, const Eigen::VectorXd& areas,
+               const internal::Surface_part& part = {});
 
 /// \ingroup PkgSpin
 /// \brief scales new positions f, and the spins that led to them, so that the area is that of the

@@ -10,6 +10,7 @@
 #include <Eigen/Core>
 
 #include <complex>
+#include <functional>
 #include <memory>
 #include <tuple>
 #include <type_traits>
@@ -198,14 +199,20 @@ class Solver_traits_ref {
   Solver_traits_ref(const SolverTraits&) : m_make{&make_solver<SolverTraits, Scalars>...}
   {}
 
+  /// \param make makers of solvers that know more than their matrix, such as where its other parts
+  /// are
+  explicit Solver_traits_ref(std::function<Solver_pointer<Scalars>()>... make)
+      : m_make{std::move(make)...}
+  {}
+
   template <class Scalar>
   Solver_ref<Scalar> solver() const
   {
-    return Solver_ref<Scalar>(std::get<Solver_pointer<Scalar> (*)()>(m_make)());
+    return Solver_ref<Scalar>(std::get<std::function<Solver_pointer<Scalar>()>>(m_make)());
   }
 
  private:
-  std::tuple<Solver_pointer<Scalars> (*)()...> m_make;
+  std::tuple<std::function<Solver_pointer<Scalars>()>...> m_make;
 };
 
 }  // namespace internal

@@ -21,6 +21,8 @@ struct Conjugate_gradients_options {
   int leading_columns = 0;   ///< the run ends when these are close, the others as they are; 0: all
   std::function<bool()> go_further = {};  ///< called after each iteration: false ends the run
   double negligible = 0;                  ///< energy of errors that need not become smaller
+  /// of inner products, where each process has a part of the vectors; empty: they are whole
+  std::function<Eigen::VectorXd(const Eigen::VectorXd&)> sum_of_parts = {};
 };
 
 template <class FT>
@@ -43,6 +45,7 @@ class Conjugate_gradients {
       : m_apply_k(apply_k),
         m_precondition(precondition),
         m_leading(options.leading_columns > 0 ? options.leading_columns : b.cols()),
+        m_sum_of_parts(options.sum_of_parts),
         m_x(Vectors::Constant(b.rows(), b.cols(), Scalar{})),
         m_r(b),
         m_sizes(products(m_r, m_r))
@@ -94,11 +97,13 @@ class Conjugate_gradients {
   }
 
  private:
-  static Vector<FT> products(const Vectors& a, const Vectors& b)
+  template <class A, class B>
+  Vector<FT> products(const A& a, const B& b) const
   {
     Vector<FT> p(a.cols());
     for (Eigen::Index c = 0; c < a.cols(); ++c)
       p[c] = Scalar_traits<Scalar>::real(inner_product(a.col(c), b.col(c)));
+    if (m_sum_of_parts) p = m_sum_of_parts(p.template cast<double>()).template cast<FT>();
     return p;
   }
 
@@ -151,7 +156,7 @@ class Conjugate_gradients {
   {
     m_x.col(c) += m_p.col(c) * length;
     m_r.col(c) -= kp.col(c) * length;
-    const FT size = Scalar_traits<Scalar>::real(inner_product(m_r.col(c), m_r.col(c)));
+    const FT size = products(m_r.col(c), m_r.col(c))[0];
     const FT gain = (std::max)(size / m_sizes[c], m_now[c] / m_before[c]);
     m_result.estimates[c] = size == 0 ? FT(0) : std::sqrt(m_now[c] / m_first[c] * gain);
     m_sizes[c] = size;
@@ -161,6 +166,7 @@ class Conjugate_gradients {
   const T& m_precondition;
   Vector<FT> m_tolerances;  // of the estimates
   Eigen::Index m_leading;
+  std::function<Eigen::VectorXd(const Eigen::VectorXd&)> m_sum_of_parts;
   Vectors m_x, m_r, m_p;
   Vectors m_image;                      // K p, then T r
   Vector<FT> m_sizes;                   // r^H r

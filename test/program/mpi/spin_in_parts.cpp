@@ -6,115 +6,22 @@
 // Tests examples/conformal/mpi/Distributed_matrix.h examples/conformal/mpi/Checkpoint.cpp
 // Tests examples/conformal/mpi/Common_file.h examples/conformal/mpi/Border_vertices.cpp
 // Tests examples/conformal/mpi/Distributed_cholesky.h examples/conformal/mpi/Distributed_solver.h
-#include "conformal/input/Surface_input.h"
-#include "program/support.h"
+#include "program/mpi/spin_in_parts.h"
 #include "support/bounded_meshes.h"
 #include "support/limbs.h"
 #include "support/random.h"
 #include "support/spheres.h"
 #include "support/tori.h"
 
-#include <nlohmann/json.hpp>
-
 #include <numeric>
 
 namespace cgp_test::spin_in_parts_tests {
-
-using namespace program_test;
-
-const std::string rho = " --rho-expression '1.5*sin(3*y+1)*cos(2*x)' --advanced tolerance=1e-9 -q ";
-const std::string multigrid = rho + "--advanced solver=multigrid ";
-
-double diagonal(const Points& p)
-{
-  return (p.rowwise().maxCoeff() - p.rowwise().minCoeff()).norm();
-}
-
-class Spin_in_parts : public Program {
- protected:
-  /// on so many processes
-  Program_run run_on(int processes, const std::string& arguments) const
-  {
-    return shell(mpi(processes) + " " CGP_MPI_PROGRAM " spin " + arguments);
-  }
-
-  static std::string mpi(int processes)
-  {
-    return "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 "
-           "OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_mpi_yield_when_idle=1 " CGP_MPI_RUN " " +
-           std::to_string(processes);
-  }
-
-  /// whether the program on so many processes has the surface and the numbers of one.json
-  void expect_same(int processes, const std::string& arguments, double tolerance) const
-  {
-    const Program_run r = run_on(processes, "a.ply -o all.ply --json all.json" + arguments);
-    ASSERT_EQ(r.code, 0) << r.err;
-    const Points expected = mesh("one.ply").positions();
-    EXPECT_LT((mesh("all.ply").positions() - expected).colwise().norm().maxCoeff(),
-              tolerance * diagonal(expected))
-        << processes;
-    EXPECT_EQ(mesh("all.ply").corners(), mesh("one.ply").corners());
-    const auto one = json("one.json"), all = json("all.json");
-    for (const char* const name : {"eigenvalue", "overlap", "closure_residual", "min_spin_ratio"})
-      EXPECT_NEAR(all[name], one[name], 1e-7) << name;
-    for (const char* const name : {"mean", "p99", "max", "mean_over_new_area"})
-      EXPECT_NEAR(all["quasi_conformal"][name], one["quasi_conformal"][name], 1e-6) << name;
-    for (const char* const name : {"rms", "max"})
-      EXPECT_NEAR(all["length_cross_ratio"][name], one["length_cross_ratio"][name], 1e-6);
-    for (const char* const name : {"share", "correlation", "wrong_sign", "seen_share"})
-      EXPECT_NEAR(all["realised_curvature"][name], one["realised_curvature"][name], 1e-6) << name;
-    for (const char* const name : {"min", "max", "collapsed_share"})
-      EXPECT_NEAR(all["scale"][name], one["scale"][name], 1e-6) << name;
-  }
-
-  /// a binary PLY with one more property
-  void write_ply(const std::string& name, const Mesh_view& mesh) const
-  {
-    std::string text =
-        "ply\nformat binary_little_endian 1.0\nelement vertex " +
-        std::to_string(mesh.size_of_vertices()) +
-        "\nproperty float nx\nproperty double x\nproperty double y\nproperty double "
-        "z\nproperty short name\nelement face " +
-        std::to_string(mesh.size_of_faces()) +
-        "\nproperty uchar colour\nproperty list uchar int vertex_indices\nend_header\n";
-    const auto append = [&](const auto& value) {
-      text.append(reinterpret_cast<const char*>(&value), sizeof value);
-    };
-    for (int v = 0; v < mesh.size_of_vertices(); ++v) {
-      append(1.f);
-      for (Eigen::Index c = 0; c < 3; ++c) append(mesh.position(v)[c]);
-      append(static_cast<short>(v));
-    }
-    for (int f = 0; f < mesh.size_of_faces(); ++f) {
-      append(static_cast<unsigned char>(f % 7));
-      append(static_cast<unsigned char>(3));
-      append(mesh.corners(f));
-    }
-    write(name, text);
-  }
-
-  Mesh_view mesh(const std::string& name) const
-  {
-    return conformal::read_surface_input(path(name)).mesh;
-  }
-
-  /// mpiexec adds words of its own
-  static bool fails(const Program_run& run, int code, const std::string& words)
-  {
-    const std::size_t at = run.err.find("conformal: error: ");
-    EXPECT_NE(run.err.find(words, at), std::string::npos) << run.err;
-    return run.code == code && at != std::string::npos;
-  }
-
-  nlohmann::json json(const std::string& name) const { return read_json(name)["result"]; }
-};
 
 TEST_F(Spin_in_parts, gives_the_surface_of_one_process_without_a_bound)
 {
   for (const Mesh_view& surface : {perturbed(bumpy_sphere(3), .02), dumbbell(3)}) {
     write_ply("a.ply", surface);
-    ASSERT_EQ(run("spin a.ply -o one.ply --json one.json --max-scale none" + rho).code, 0);
+    ASSERT_EQ(run("spin a.ply -o one.ply --json one.json" + rho).code, 0);
     for (const int processes : {1, 2, 5}) expect_same(processes, rho, 1e-8);
     expect_same(3, multigrid, 1e-8);
   }
@@ -141,7 +48,7 @@ TEST_F(Spin_in_parts, gives_the_disk_of_one_process)
   Points p = flat.positions();
   for (Eigen::Index v = 0; v < p.cols(); ++v) p(2, v) = .4 * std::sin(2 * p(0, v) + p(1, v));
   write_ply("a.ply", perturbed({p, flat.corners()}, .01));
-  ASSERT_EQ(run("spin a.ply -o one.ply --json one.json --max-scale none" + rho).code, 0);
+  ASSERT_EQ(run("spin a.ply -o one.ply --json one.json" + rho).code, 0);
   for (const int processes : {1, 2, 3, 4, 7}) expect_same(processes, rho, 1e-8);
   expect_same(3, multigrid, 1e-8);
 }
@@ -150,7 +57,8 @@ TEST_F(Spin_in_parts, gives_the_disk_of_one_process)
 TEST_F(Spin_in_parts, is_not_changed_by_a_constant)
 {
   write_ply("a.ply", dumbbell(2));
-  const std::string formula = "a.ply --advanced tolerance=1e-9 -q --rho-expression 'sin(3*y+1)";
+  const std::string formula =
+      "a.ply --max-scale none --advanced tolerance=1e-9 -q --rho-expression 'sin(3*y+1)";
   ASSERT_EQ(run_on(1, formula + "' -o b.ply --json b.json").code, 0);
   ASSERT_EQ(run_on(1, formula + "+3' -o c.ply --json c.json").code, 0);
   const Points b = mesh("b.ply").positions(), c = mesh("c.ply").positions();
@@ -175,7 +83,7 @@ TEST_F(Spin_in_parts, carries_other_properties_over_and_says_what_not)
 {
   const Mesh_view sphere = perturbed(bumpy_sphere(2), .02);
   write_ply("a.ply", sphere);
-  const std::string quiet = rho.substr(0, rho.find("-q"));
+  const std::string quiet = rho.substr(0, rho.find("-q")) + "--max-scale none";
   const Program_run r = run_on(2, "a.ply -o b.ply" + quiet);
   ASSERT_EQ(r.code, 0);
   EXPECT_NE(r.err.find("left out: normals"), std::string::npos) << r.err;
