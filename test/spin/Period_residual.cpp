@@ -229,4 +229,37 @@ TEST(Closed_spins, are_not_looked_for_after_a_step_that_was_cancelled)
   EXPECT_EQ(step.report.period_defect, 0);
 }
 
+CGP::Quaternion_vector<double> around_one(int n, double size, int seed)
+{
+  CGP::Quaternion_vector<double> lambda = random_quaternions(n, seed);
+  for (auto& q : lambda) q = size * q + CGP::Quaternion<double>{1, 0, 0, 0};
+  return lambda;
+}
+
+TEST(Period_residual, has_its_derivative_and_its_transpose)
+{
+  const Mesh_view mesh = btorus(12);
+  CGP::Spin_transformation transformation(mesh);
+  CGP::internal::Period_residual periods(transformation.system().surface(),
+                                         *transformation.closing());
+  periods.set_weight(3);
+  const int n = mesh.size_of_vertices();
+  const auto lambda = around_one(n, .1, 1), d = random_quaternions(n, 2);
+  const auto values_at = [&](double h) {
+    auto there = lambda;
+    CGP::components(there) += h * CGP::components(d);
+    periods.set_spins(there);
+    return periods.values();
+  };
+  const double h = 1e-5;
+  const Eigen::VectorXd slope = (values_at(h) - values_at(-h)) / (2 * h), now = values_at(0);
+  const Eigen::VectorXd change = periods.change(d);
+  // The length of the edges counts as constant.
+  const Eigen::VectorXd turned = slope - now * (now.dot(slope - change) / now.squaredNorm());
+  EXPECT_LT((turned - change).norm(), 1e-5 * change.norm());
+  const Eigen::VectorXd y = random_numbers(static_cast<int>(change.size()), 3);
+  EXPECT_NEAR(y.dot(change), inner_product(periods.gradient(y), d).w,
+              1e-11 * y.norm() * change.norm());
+}
+
 }  // namespace cgp_test::period_residual_tests

@@ -88,11 +88,13 @@ bool internal::Conformal_class::advance(State& state, double factor, int halving
   return false;
 }
 
-// A factor costs about as much as a dozen steps.
-double internal::Conformal_class::most_left(double residual, const Snap_options& options)
+// A factor costs about as much as a dozen steps, and has to lead there in half of those that are
+// left: what is only near the class has an energy of its own.
+double internal::Conformal_class::most_left(double residual, const Snap_options& options, int left)
 {
-  const double steps = 12, slowest = .8;
-  return (std::min)(std::pow(options.tolerance / residual, 1 / steps), slowest);
+  const int steps = (std::min)((left + 1) / 2, 12);
+  const double slowest = .8;
+  return (std::min)(std::pow(options.tolerance / residual, 1. / steps), slowest);
 }
 
 bool internal::Conformal_class::factorize(const Points& f, bool is_needed)
@@ -107,7 +109,7 @@ bool internal::Conformal_class::factorize(const Points& f, bool is_needed)
 }
 
 // Newton's method has a basin: outside of it, the first step takes little away.
-bool internal::Conformal_class::iterate(State& state, const Snap_options& options,
+bool internal::Conformal_class::iterate(State& state, const Snap_options& options, int left,
                                         Snap_report& report)
 {
   const double outside = .37;  // a step outside of the basin leaves more of the residuals
@@ -119,7 +121,7 @@ bool internal::Conformal_class::iterate(State& state, const Snap_options& option
   if (is_new && !factorize(state.f, report.residual > options.enough())) return false;
   report.factorizations += is_new;
   ++report.iterations;
-  const double norm = state.residuals.norm(), most = most_left(report.residual, options);
+  const double norm = state.residuals.norm(), most = most_left(report.residual, options, left);
   if (is_new) state.history.forget();
   state.has_factor = is_new ? advance(state, 1, 8) : advance(state, most, 0);
   if (is_new && !state.has_factor && !m_equations.damp()) return false;
@@ -146,7 +148,7 @@ internal::Snap_report internal::Conformal_class::snap(Points& f, const Snap_opti
   state.has_factor = options.keep_factor && m_equations.resume(f);
   for (int left = options.max_iterations; report.residual > options.tolerance && left > 0; --left) {
     if (report.residual <= options.enough()) left = (std::min)(left, few);
-    if (!iterate(state, options, report)) break;
+    if (!iterate(state, options, left, report)) break;
   }
   m_equations.set_damping((std::max)(damping, m_equations.damping()));
   report.converged = report.residual <= options.enough();

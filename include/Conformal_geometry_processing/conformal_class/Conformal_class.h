@@ -114,11 +114,12 @@ class Conformal_class {
   bool advance(State& state, double factor, int halvings) const;
 
   /// what a step may leave of the residuals if a factor is to be used again
-  static double most_left(double residual, const Snap_options& options);
+  static double most_left(double residual, const Snap_options& options, int left);
 
-  /// \brief One iteration of `snap()`: a step with the last factor, or a new one.
+  /// \brief One iteration of `snap()`, of those that are left: a step with the last factor, or a
+  /// new one.
   /// \returns false where no further one is of use
-  bool iterate(State& state, const Snap_options& options, Snap_report& report);
+  bool iterate(State& state, const Snap_options& options, int left, Snap_report& report);
 
   /// of the edges, of the rim, and of the global equation
   Eigen::VectorXd residuals(const Points& f, const Eigen::VectorXd& u) const;
