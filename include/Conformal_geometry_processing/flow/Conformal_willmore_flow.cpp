@@ -244,7 +244,7 @@ auto Conformal_willmore_flow::judge(Spin_result result, Flow_step_report& report
     if (is_small(rise, report.time_step)) return Verdict::rises_slightly;
     return is_within_error(rise, report.is_bounded) ? Verdict::rises_within_error : Verdict::bad;
   }
-  return move_on(balanced(energy), spin_limits(report.is_bounded), report);
+  return move_on(balanced(energy), spin_limits(), report);
 }
 
 double Conformal_willmore_flow::balanced(double energy)

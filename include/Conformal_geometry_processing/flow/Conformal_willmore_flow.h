@@ -366,7 +366,7 @@ class Conformal_willmore_flow {
   /// may fail before the first change.
   Verdict move_on(double energy, const Conformality::Limits& limits, Flow_step_report& report);
   /// of a step; with a bound on lengths, which hardly leaves anything to be smoothed, all
-  Conformality::Limits spin_limits(bool is_bounded) const;
+  Conformality::Limits spin_limits() const;
   void accept(Flow_step_report& report, bool was_filling);
 
   std::string m_function;

@@ -310,10 +310,10 @@ Conformality Conformal_willmore_flow::map_to(const Mesh_view& measured, const Po
   return conformality(before, after, neighbourhood_normals(before, after));
 }
 
-Conformality::Limits Conformal_willmore_flow::spin_limits(bool is_bounded) const
+Conformality::Limits Conformal_willmore_flow::spin_limits() const
 {
   Conformality::Limits limits = m_options.surface.limits.map;
-  if (m_class && m_options.backtracking && !is_bounded)
+  if (m_class && m_options.backtracking && !m_scale_bound)
     limits.quasi_conformal = (std::min)(limits.quasi_conformal, m_options.max_spin_distortion);
   return limits;
 }
