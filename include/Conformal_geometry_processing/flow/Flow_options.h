@@ -76,7 +76,9 @@ struct Flow_options {
   bool fairing = true;
 
   /// mean quasi-conformal error of the map from the initial surface up to which surfaces on the
-  /// exact class are transformed; beyond it they are smoothed only, which distorts them less
+  /// exact class are transformed; beyond it they are smoothed only, which distorts them less. With
+  /// a bound on lengths hardly anything is left to be smoothed, so the limits are those of
+  /// `surface`
   double max_spin_distortion = 1.25;
 
   /// \brief the `Enclosure::reduced_volume()` of a closed surface that the flow keeps or, a part of
