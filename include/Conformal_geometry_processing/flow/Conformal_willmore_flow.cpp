@@ -174,7 +174,7 @@ auto Conformal_willmore_flow::try_within_bound(const Eigen::VectorXd& rho, Flow_
              : verdict;
 }
 
-// rho may lead away from the bound by itself: limbs move much, and to and fro.
+// rho may lead away from the bound by itself, as limbs move far and back again.
 auto Conformal_willmore_flow::try_at_bound(const Eigen::VectorXd& rho, Flow_step_report& report,
                                            const Go_further& go_further) -> Verdict
 {
