@@ -11,6 +11,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -84,6 +85,7 @@ class Eigenvector {
   {
     for (int pass = 0; pass < max_passes; ++pass) {
       assemble(report);
+      tolerance = (std::max)(tolerance, m_rounding);
       iterate(tolerance, options.max_iterations, go_further, report);
       const double change = quotient();
       gamma += change;
@@ -115,6 +117,8 @@ class Eigenvector {
         if (i == j) K.value(k).w += shift;
       }
     m_matrix.set(K);
+    // what products with K lose: the larger the surface, the more
+    m_rounding = 4 * std::numeric_limits<double>::epsilon() * largest(CGP::internal::norm_bound(K));
     report.seconds.assembly += watch.lap();
     if (m_solver) return;
     // Constants are in the kernel of X for rho = 0, and masses turn them to this.
@@ -215,7 +219,7 @@ class Eigenvector {
   Distributed_matrix<Quaternion<double>> m_matrix;
   std::optional<Distributed_solver<Quaternion<double>>> m_solver;
   int m_own;
-  double m_area, m_t, m_step;
+  double m_area, m_t, m_step, m_rounding = 0;
 };
 
 }  // namespace
