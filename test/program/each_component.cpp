@@ -15,6 +15,7 @@
 #include <nlohmann/json.hpp>
 
 #include <cmath>
+#include <regex>
 #include <string>
 #include <utility>
 #include <vector>
@@ -284,6 +285,37 @@ Mesh_view shuffled(const Mesh_view& mesh, const std::vector<int>& number)
   for (const int f : cgp_test::random_permutation(mesh.size_of_faces(), 5))
     corners.push_back(other.corners(f));
   return {other.positions(), corners};
+}
+
+/// the x of the vertices that a refusal of `x` as a factor names, one for each component
+std::vector<double> refused_factors(const std::string& message, const Mesh_view& mesh)
+{
+  const std::regex words("vertex ([0-9]+) has the value");
+  std::vector<double> x;
+  for (std::sregex_iterator i(message.begin(), message.end(), words), end; i != end; ++i)
+    x.push_back(mesh.position(std::stoi((*i)[1])).x());
+  return x;
+}
+
+// The program computes in an order of its own.
+TEST_F(Each_component, has_the_names_of_the_file_in_messages)
+{
+  const Mesh_view sphere =
+      cgp_test::renumbered(cgp_test::icosphere(2), cgp_test::random_permutation(162, 8));
+  write("a.off", off(sphere));
+  int v = 0;
+  while (!(sphere.position(v).x() < 0)) ++v;
+  const std::string number = std::to_string(v);
+  write("a.json", R"({"targets": [{"vertex": )" + number + R"(, "move": [0, 0, 0]}]})");
+  EXPECT_TRUE(fails(run("deform a.off --targets a.json --region-expression 3*x -o c.ply"), 4,
+                    "is at vertex " + number + ", which is outside"));
+  const Mesh_view two = cgp_test::interleaved({sphere, cgp_test::moved(sphere, {0, 4, 0})}).mesh;
+  write("b.off", off(two));
+  const std::string spin = "spin b.off --rho-expression 0 --target-scale-expression x -o c.ply ";
+  const std::vector<double> x = refused_factors(run(spin + "--each-component").err, two);
+  ASSERT_EQ(x.size(), 2);
+  EXPECT_LT(x[0], 1e-12);
+  EXPECT_LT(x[1], 1e-12);
 }
 
 // A map, a handle, a boundary whose directions are kept, positions at it, and a flow.

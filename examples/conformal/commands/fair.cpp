@@ -90,13 +90,9 @@ CGP::internal::Fairing_result fair_watched(const CGP::Mesh_view& mesh,
         {"step", static_cast<double>(step) / options.steps, "step " + std::to_string(step), step});
     return signal_received() == 0;
   };
-  try {
-    auto result = fair_region(mesh, is_in_region, fairing, "conformal fair", go_further);
-    throw_if_interrupted();
-    return result;
-  } catch (const CGP::Precondition_error& error) {
-    throw unsuitable(session.input(), error.what());
-  }
+  auto result = fair_region(mesh, is_in_region, fairing, "conformal fair", go_further);
+  throw_if_interrupted();
+  return result;
 }
 
 void tell_fairing(const CGP::internal::Fairing_report& fairing, int faces, Report& report)

@@ -26,7 +26,7 @@ std::string Component_failures::reason_of(const std::function<void()>& work)
     return failure.what();
   } catch (const CGP::Precondition_error& error) {
     m_is_of_data = true;
-    return error.message() + " (elements are counted within the component)";
+    return error.message();
   } catch (const CGP::Solver_error& error) {
     if (CGP::is_out_of_memory(error)) throw;
     return error.message();

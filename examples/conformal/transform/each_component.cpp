@@ -7,8 +7,10 @@
 
 #include <Conformal_geometry_processing/mesh/morton_order.h>
 #include <Conformal_geometry_processing/mesh/topology.h>
+#include <Quaternionic_linear_algebra/exceptions.h>
 
 #include <algorithm>
+#include <cctype>
 #include <string>
 #include <vector>
 
@@ -30,6 +32,36 @@ void add_row(const Component_outcome& component, std::size_t number, Grid& grid)
             verdict && verdict->is_verified() ? "yes" : "no"});
 }
 
+using Name_in_file = std::string (*)(const Surface_input&, int);
+
+/// the text with names of elements in the file for `KIND NUMBER` of a component
+std::string with_names(std::string text, const std::string& kind, const Surface_input& input,
+                       Name_in_file name)
+{
+  for (std::size_t i = text.find(kind); i != std::string::npos; i = text.find(kind, i)) {
+    std::size_t end = i + kind.size();
+    while (end < text.size() && std::isdigit(static_cast<unsigned char>(text[end]))) ++end;
+    const std::string number = text.substr(i + kind.size(), end - i - kind.size());
+    const std::string named = number.empty() ? kind : name(input, std::stoi(number));
+    text.replace(i, end - i, named);
+    i += named.size();
+  }
+  return text;
+}
+
+/// Messages of the library count the elements of what it is given, which has an order of its own.
+void do_work(const Component& component, const Component_work& work, Session& session)
+{
+  try {
+    work(component, session);
+  } catch (const CGP::Precondition_error& error) {
+    const Surface_input& input = component.input;
+    throw CGP::Precondition_error(
+        error.function(), with_names(with_names(error.message(), "vertex ", input, name_of_vertex),
+                                     "face ", input, name_of_face));
+  }
+}
+
 /// Works on one component, and adds what came of it to the outcome of the whole.
 void attempt(const std::string& name, const Component& component, const Component_work& work,
              Component_failures& failures, Session& session)
@@ -38,7 +70,7 @@ void attempt(const std::string& name, const Component& component, const Componen
   own.outcome().command = session.outcome().command;
   own.set_input(session.input());
   Outcome& outcome = own.outcome();
-  outcome.error = failures.attempt(name, [&] { work(component, own); });
+  outcome.error = failures.attempt(name, [&] { do_work(component, work, own); });
   for (const std::string& note : outcome.notes) session.note(own.part() + note);
   session.outcome().seconds.add(outcome.seconds);
   const std::vector<int>& in_file = component.input.vertex_in_file;
@@ -90,7 +122,7 @@ void each_component(const Surface_input& input, Session& session, const Componen
   if (!session.options().each_component) {
     Mesh_component all = in_morton_order(whole_of(input.mesh));
     const Surface_input own = reordered(all, input);
-    return work({own, all.vertices, all.faces}, session);
+    return do_work({own, all.vertices, all.faces}, work, session);
   }
   const std::vector<Mesh_component> parts = CGP::mesh_components(input.mesh);
   Component_failures failures(session.input(), parts.size());
