@@ -74,6 +74,19 @@ TEST(Moebius_balancing, finds_the_inversion_exactly_in_a_few_quadratic_steps)
   EXPECT_LT(CGP::quasi_conformal_error(icosphere(4), mesh.positions()).max, 1 + 1e-9);
 }
 
+TEST(Moebius_balancing, is_the_same_in_all_units)
+{
+  const Moebius_balancing balancing = towards(icosphere(4));
+  const Mesh_view mesh = unbalanced_sphere();
+  const CGP::Points wanted = balancing.balanced(mesh);
+  ASSERT_GT((wanted - mesh.positions()).norm(), .1 * wanted.norm());
+  for (const double unit : {1e-120, 1e120}) {
+    Mesh_view other = mesh;
+    other.set_positions(unit * mesh.positions());
+    EXPECT_LT((balancing.balanced(other) / unit - wanted).norm(), 1e-12 * wanted.norm()) << unit;
+  }
+}
+
 TEST(Moebius_balancing, comes_close_by_curvature_alone)
 {
   const Moebius_balancing balancing = towards(icosphere(4));

@@ -34,15 +34,18 @@ double internal::Moebius_balancing::imbalance(const Mesh_view& mesh) const
   return std::sqrt(areas.dot(log_length_scale(areas).cwiseAbs2()) / areas.sum());
 }
 
+// In units of the radius, as squares of squares of lengths may overflow.
 Eigen::Vector3d internal::Moebius_balancing::step(const Mesh_view& mesh) const
 {
-  const Eigen::VectorXd areas = areas_of(mesh);
-  const Points f = mesh.positions().colwise() - centroid(mesh, areas);
-  const Eigen::Matrix3d inertia = f * areas.asDiagonal() * f.transpose();
-  const Eigen::Vector3d moment = f * areas.cwiseProduct(log_length_scale(areas));
+  const Eigen::VectorXd areas = areas_of(mesh), shares = areas / areas.sum();
+  Points f = mesh.positions().colwise() - centroid(mesh, areas);
+  const double radius = f.colwise().norm().maxCoeff();
+  f /= radius;
+  const Eigen::Matrix3d inertia = f * shares.asDiagonal() * f.transpose();
+  const Eigen::Vector3d moment = f * shares.cwiseProduct(log_length_scale(areas));
   const Eigen::Vector3d a = inertia.ldlt().solve(moment) / 2;
-  const double nearness_of_pole = a.norm() * f.colwise().norm().maxCoeff();
-  return a / (std::max)(1., 2 * nearness_of_pole);
+  const double nearness_of_pole = a.norm();
+  return a / (radius * (std::max)(1., 2 * nearness_of_pole));
 }
 
 Eigen::VectorXd internal::Moebius_balancing::curvature_change(const Eigen::Vector3d& a,
@@ -95,7 +98,7 @@ Eigen::VectorXd internal::Moebius_balancing::log_length_scale(const Eigen::Vecto
 Eigen::Vector3d internal::Moebius_balancing::centroid(const Mesh_view& mesh,
                                                       const Eigen::VectorXd& areas)
 {
-  return mesh.positions() * areas / areas.sum();
+  return mesh.positions() * (areas / areas.sum());
 }
 
 Eigen::VectorXd canonical_area_density(const Surface_ref& surface, const Eigen::MatrixXd& one_forms,
