@@ -1,6 +1,6 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Quaternionic_linear_algebra/direct/sweep_nested_dissection.h>
-#include <Quaternionic_linear_algebra/reduced/Real_reduced_solver.h>
+#include <Quaternionic_linear_algebra/reduced/Reduced_hermitian_solver.h>
 #include <Quaternionic_linear_algebra/reduced/Schur_reduced_solver.h>
 
 #ifdef CONFORMAL_GEOMETRY_PROCESSING_USE_CHOLMOD

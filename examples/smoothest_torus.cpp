@@ -7,8 +7,7 @@
 // Willmore flow keeps it [CGP 6.5.4]. For 1 <= B <= sqrt(3) the flow ends at the round torus with
 // B^2 = (R/r)^2 - 1, or one of its Moebius images: the energy is pi^2 (B + 1/B).
 #include <Conformal_geometry_processing/flow/Conformal_willmore_flow.h>
-#include <Conformal_geometry_processing/surfaces/round_torus.h>
-#include <Conformal_geometry_processing/surfaces/torus_of_class.h>
+#include <Conformal_geometry_processing/surfaces/tori.h>
 
 #include <CGAL/IO/polygon_soup_io.h>
 #include <CGAL/Simple_cartesian.h>

@@ -1,5 +1,5 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-// Tests spin_transform_components.h, conformal_willmore_flow_components.h
+// Tests spin_transform.h, conformal_willmore_flow.h
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 

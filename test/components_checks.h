@@ -1,9 +1,9 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #pragma once
 
-#include <Conformal_geometry_processing/conformal_parameterization_components.h>
-#include <Conformal_geometry_processing/conformal_willmore_flow_components.h>
-#include <Conformal_geometry_processing/spin_transform_components.h>
+#include <Conformal_geometry_processing/conformal_parameterization.h>
+#include <Conformal_geometry_processing/conformal_willmore_flow.h>
+#include <Conformal_geometry_processing/spin_transform.h>
 
 #include <boost/property_map/property_map.hpp>
 

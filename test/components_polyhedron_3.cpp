@@ -1,6 +1,6 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-// Tests spin_transform_components.h, conformal_willmore_flow_components.h
-// Tests conformal_parameterization_components.h, core/for_each_component.h
+// Tests spin_transform.h, conformal_willmore_flow.h
+// Tests conformal_parameterization.h, core/Graph_view.h
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polyhedron_3.h>
 

@@ -1,6 +1,6 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-// Tests spin_transform_components.h, conformal_willmore_flow_components.h
-// Tests conformal_parameterization_components.h
+// Tests spin_transform.h, conformal_willmore_flow.h
+// Tests conformal_parameterization.h
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

@@ -2,7 +2,7 @@
 // Tests include/Conformal_geometry_processing/snap_to_conformal_class.h
 // Tests spin/snap_to_class.h
 #include <Conformal_geometry_processing/snap_to_conformal_class.h>
-#include <Conformal_geometry_processing/spin_transform_components.h>
+#include <Conformal_geometry_processing/spin_transform.h>
 
 #include <gtest/gtest.h>
 

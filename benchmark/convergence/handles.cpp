@@ -2,7 +2,7 @@
 #include <Conformal_geometry_processing/flow/Conformal_willmore_flow.h>
 #include <Conformal_geometry_processing/mesh/Surface_ref.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
-#include <Conformal_geometry_processing/surfaces/torus_of_class.h>
+#include <Conformal_geometry_processing/surfaces/tori.h>
 
 #include <cmath>
 #include <complex>

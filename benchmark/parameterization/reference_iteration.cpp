@@ -4,7 +4,7 @@
 #include <Conformal_geometry_processing/mesh/normals.h>
 #include <Conformal_geometry_processing/mesh/topology.h>
 #include <Conformal_geometry_processing/operators/vertex_graph.h>
-#include <Conformal_geometry_processing/parameterization/conformal_energy.h>
+#include <Conformal_geometry_processing/parameterization/spectral_parameterization.h>
 #include <Quaternionic_linear_algebra/direct/Ordering.h>
 #include <Quaternionic_linear_algebra/direct/Supernodal_cholesky.h>
 

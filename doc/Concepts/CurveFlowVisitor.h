@@ -14,7 +14,7 @@ using namespace Conformal_geometry_processing;
 ///
 /// Headers of these types:
 /// - `Conformal_geometry_processing::Curve_step_report`,
-///   `Conformal_geometry_processing/curves/Curve_flow_report.h`
+///   `Conformal_geometry_processing/curves/Isometric_curve_flow.h`
 /// - `Conformal_geometry_processing::Isometric_curve_flow`,
 ///   `Conformal_geometry_processing/curves/Isometric_curve_flow.h`
 ///

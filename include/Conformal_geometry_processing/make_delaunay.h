@@ -3,7 +3,7 @@
 
 #include <Conformal_geometry_processing/core/Graph_view.h>
 #include <Conformal_geometry_processing/core/named_parameters.h>
-#include <Conformal_geometry_processing/mesh/simple_delaunay.h>
+#include <Conformal_geometry_processing/mesh/Intrinsic_triangulation.h>
 #include <Conformal_geometry_processing/spin/snap_to_class.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>

@@ -1,7 +1,7 @@
 // Tests curves/polygons.h
-// Tests include/Conformal_geometry_processing/curves/Curve_flow_report.h
+// Tests include/Conformal_geometry_processing/curves/Isometric_curve_flow.h
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-#include <Conformal_geometry_processing/curves/Curve_flow_report.h>
+#include <Conformal_geometry_processing/curves/Isometric_curve_flow.h>
 #include <Conformal_geometry_processing/curves/polygons.h>
 
 #include <gtest/gtest.h>

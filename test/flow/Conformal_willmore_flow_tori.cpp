@@ -4,7 +4,7 @@
 #include <Conformal_geometry_processing/flow/Moebius_balancing.h>
 #include <Conformal_geometry_processing/measure/Enclosure.h>
 #include <Conformal_geometry_processing/spin/spin_structure.h>
-#include <Conformal_geometry_processing/surfaces/torus_of_class.h>
+#include <Conformal_geometry_processing/surfaces/tori.h>
 
 #include <gtest/gtest.h>
 

@@ -2,8 +2,8 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/flow/Conformal_willmore_flow.h>
 #include <Conformal_geometry_processing/forms/conformal_modulus.h>
-#include <Conformal_geometry_processing/mesh/simple_delaunay.h>
-#include <Conformal_geometry_processing/surfaces/torus_of_class.h>
+#include <Conformal_geometry_processing/mesh/Intrinsic_triangulation.h>
+#include <Conformal_geometry_processing/surfaces/tori.h>
 
 #include <gtest/gtest.h>
 

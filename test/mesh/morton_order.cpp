@@ -1,5 +1,6 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-#include <Conformal_geometry_processing/mesh/morton_order.h>
+// Tests mesh/Mesh_component.h
+#include <Conformal_geometry_processing/mesh/Mesh_component.h>
 
 #include <gtest/gtest.h>
 

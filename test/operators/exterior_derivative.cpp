@@ -1,6 +1,7 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+// Tests operators/calculus.h
+#include <Conformal_geometry_processing/operators/calculus.h>
 #include <Conformal_geometry_processing/operators/cotan_laplacian.h>
-#include <Conformal_geometry_processing/operators/exterior_derivative.h>
 
 #include <gtest/gtest.h>
 

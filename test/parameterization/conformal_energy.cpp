@@ -1,8 +1,9 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+// Tests parameterization/spectral_parameterization.h
 #include <Conformal_geometry_processing/mesh/normals.h>
-#include <Conformal_geometry_processing/operators/dirac.h>
+#include <Conformal_geometry_processing/operators/calculus.h>
 #include <Conformal_geometry_processing/operators/vertex_graph.h>
-#include <Conformal_geometry_processing/parameterization/conformal_energy.h>
+#include <Conformal_geometry_processing/parameterization/spectral_parameterization.h>
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-// Tests include/Conformal_geometry_processing/parameterization/planar_directions.h
+// Tests include/Conformal_geometry_processing/parameterization/normalized_boundary.h
 #include <Conformal_geometry_processing/measure/alignment.h>
 #include <Conformal_geometry_processing/mesh/Boundary_frames.h>
-#include <Conformal_geometry_processing/parameterization/planar_directions.h>
+#include <Conformal_geometry_processing/parameterization/normalized_boundary.h>
 #include <Conformal_geometry_processing/surfaces/minimal_surface.h>
 #include <Quaternionic_linear_algebra/exceptions.h>
 

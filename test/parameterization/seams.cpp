@@ -1,8 +1,8 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+// Tests parameterization/cones.h
 #include <Conformal_geometry_processing/mesh/normals.h>
 #include <Conformal_geometry_processing/operators/cotan_laplacian.h>
-#include <Conformal_geometry_processing/parameterization/conformal_energy.h>
-#include <Conformal_geometry_processing/parameterization/seams.h>
+#include <Conformal_geometry_processing/parameterization/cones.h>
 #include <Conformal_geometry_processing/parameterization/spectral_parameterization.h>
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-#include <Conformal_geometry_processing/operators/dirac.h>
+#include <Conformal_geometry_processing/operators/calculus.h>
 #include <Conformal_geometry_processing/spin/Dirac_spectrum.h>
 #include <Conformal_geometry_processing/spin/Directions_selection.h>
 #include <Conformal_geometry_processing/spin/certify.h>

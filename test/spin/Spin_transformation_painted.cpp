@@ -1,7 +1,6 @@
-// Tests include/Conformal_geometry_processing/painting/painted_curvature.h
+// Tests include/Conformal_geometry_processing/painting/image_filters.h
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/painting/image_filters.h>
-#include <Conformal_geometry_processing/painting/painted_curvature.h>
 
 #include <map>
 

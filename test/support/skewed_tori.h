@@ -1,8 +1,7 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #pragma once
 
-#include <Conformal_geometry_processing/surfaces/hopf_torus.h>
-#include <Conformal_geometry_processing/surfaces/round_torus.h>
+#include <Conformal_geometry_processing/surfaces/tori.h>
 
 #include <cmath>
 

@@ -1,7 +1,7 @@
-// Tests include/Conformal_geometry_processing/surfaces/associated_family.h
+// Tests include/Conformal_geometry_processing/surfaces/minimal_surface.h
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/measure/alignment.h>
-#include <Conformal_geometry_processing/surfaces/associated_family.h>
+#include <Conformal_geometry_processing/surfaces/minimal_surface.h>
 #include <Quaternionic_linear_algebra/exceptions.h>
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
-// Tests include/Conformal_geometry_processing/surfaces/dirac_disk.h
+// Tests include/Conformal_geometry_processing/surfaces/dirac_sphere.h
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/measure/alignment.h>
-#include <Conformal_geometry_processing/surfaces/dirac_disk.h>
+#include <Conformal_geometry_processing/surfaces/dirac_sphere.h>
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+// Tests surfaces/tori.h
 #include <Conformal_geometry_processing/measure/energies.h>
-#include <Conformal_geometry_processing/surfaces/hopf_torus.h>
-#include <Conformal_geometry_processing/surfaces/torus_of_class.h>
+#include <Conformal_geometry_processing/surfaces/tori.h>
 
 #include <gtest/gtest.h>
 

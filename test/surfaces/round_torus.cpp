@@ -1,8 +1,8 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+// Tests surfaces/tori.h
 #include <Conformal_geometry_processing/measure/energies.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>
-#include <Conformal_geometry_processing/surfaces/round_torus.h>
-#include <Conformal_geometry_processing/surfaces/torus_of_class.h>
+#include <Conformal_geometry_processing/surfaces/tori.h>
 #include <Quaternionic_linear_algebra/algebra/Quaternion_vector.h>
 
 #include <gtest/gtest.h>

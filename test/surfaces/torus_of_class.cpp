@@ -1,6 +1,6 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-#include <Conformal_geometry_processing/surfaces/round_torus.h>
-#include <Conformal_geometry_processing/surfaces/torus_of_class.h>
+// Tests surfaces/tori.h
+#include <Conformal_geometry_processing/surfaces/tori.h>
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 """The pages on the thesis (doc/) name files and tests that exist, and leave nothing out: the
 map has every numbered equation of the thesis, every erratum says what shows it.
 
-In backticks, `operators/dirac.h` is a file below the root or below the include folder, and
+In backticks, `operators/calculus.h` is a file below the root or below the include folder, and
 `Dirac.of_a_constant_is_zero` a test in one of the test files named in the same row or item.
 """
 

@@ -4,7 +4,7 @@
 #include "conformal/process/text.h"
 #include "conformal/repair/select_faces.h"
 
-#include <Conformal_geometry_processing/mesh/simple_delaunay.h>
+#include <Conformal_geometry_processing/mesh/Intrinsic_triangulation.h>
 
 #include <algorithm>
 #include <array>

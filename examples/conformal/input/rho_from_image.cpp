@@ -7,7 +7,7 @@
 #include "conformal/process/Failure.h"
 
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
-#include <Conformal_geometry_processing/painting/painted_curvature.h>
+#include <Conformal_geometry_processing/painting/image_filters.h>
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 
 #include "Ply_ranges.h"
 
-#include <Conformal_geometry_processing/mesh/Surface_part.h>
+#include <Conformal_geometry_processing/mesh/Surface_ref.h>
 
 #include <Eigen/Core>
 

@@ -2,7 +2,7 @@
 #include "built_in_shapes.h"
 
 #include <Conformal_geometry_processing/surfaces/geodesic_sphere.h>
-#include <Conformal_geometry_processing/surfaces/round_torus.h>
+#include <Conformal_geometry_processing/surfaces/tori.h>
 
 #include <cmath>
 

@@ -5,7 +5,6 @@
 
 #include <Conformal_geometry_processing/measure/overlaps.h>
 #include <Conformal_geometry_processing/mesh/topology.h>
-#include <Conformal_geometry_processing/parameterization/charts.h>
 #include <Conformal_geometry_processing/parameterization/place_in_plane.h>
 
 #include <algorithm>

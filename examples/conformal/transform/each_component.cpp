@@ -5,7 +5,7 @@
 
 #include "conformal/process/text.h"
 
-#include <Conformal_geometry_processing/mesh/morton_order.h>
+#include <Conformal_geometry_processing/mesh/Mesh_component.h>
 #include <Conformal_geometry_processing/mesh/topology.h>
 #include <Quaternionic_linear_algebra/exceptions.h>
 

@@ -6,7 +6,7 @@
 #include "conformal/input/Surface_input.h"
 #include "conformal/report/Session.h"
 
-#include <Conformal_geometry_processing/parameterization/seams.h>
+#include <Conformal_geometry_processing/parameterization/cones.h>
 
 #include <vector>
 

@@ -3,7 +3,7 @@
 
 #include "conformal/process/interruption.h"
 
-#include <Conformal_geometry_processing/parameterization/planar_directions.h>
+#include <Conformal_geometry_processing/parameterization/normalized_boundary.h>
 #include <Conformal_geometry_processing/spin/certify.h>
 #include <Conformal_geometry_processing/surfaces/minimal_surface.h>
 #include <Quaternionic_linear_algebra/exceptions.h>

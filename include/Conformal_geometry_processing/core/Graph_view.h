@@ -8,7 +8,6 @@
 
 #include <CGAL/Dynamic_property_map.h>
 #include <CGAL/boost/graph/properties.h>
-
 #include <boost/graph/graph_traits.hpp>
 
 #include <cstddef>
@@ -115,5 +114,36 @@ class Graph_view {
   std::vector<vertex_descriptor> m_vertices;
   std::vector<face_descriptor> m_faces;
 };
+
+namespace internal {
+
+/// \brief Calls `work(graph)` with a view of each component in turn, and `take(vertices, result)`
+/// with the indices of its vertices in the whole mesh and the result, which has a `report`.
+///
+/// All components are created first; the memory of each one is released before the next one begins.
+/// \throw Precondition_error, Solver_error see `Component_failures`
+template <class TriangleMesh, class Work, class Take>
+auto for_each_component(const Graph_view<TriangleMesh>& whole, const std::string& function,
+                        const Work& work, const Take& take)
+{
+  using Report = decltype(work(whole).report);
+  std::vector<Mesh_component> parts = mesh_components(whole.view());
+  Component_failures failures(parts.size(), function);
+  Component_reports<Report> all;
+  for (std::size_t c = 0; c < parts.size(); ++c) {
+    const std::vector<int> vertices = parts[c].vertices;
+    const Graph_view<TriangleMesh> component(whole, std::move(parts[c]));
+    failures.attempt(c, vertices.front(), [&] {
+      auto result = work(component);
+      take(vertices, result);
+      all.components.push_back({vertices.front(), component.view().size_of_vertices(),
+                                component.view().size_of_faces(), std::move(result.report)});
+    });
+  }
+  failures.throw_if_any();
+  return all;
+}
+
+}  // namespace internal
 
 }  // namespace Conformal_geometry_processing

@@ -6,7 +6,6 @@
 #include <Conformal_geometry_processing/measure/Enclosure.h>
 #include <Conformal_geometry_processing/mesh/Intrinsic_triangulation.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>
-#include <Conformal_geometry_processing/mesh/simple_delaunay.h>
 #include <Conformal_geometry_processing/mesh/topology.h>
 
 #include <Eigen/Core>

@@ -32,4 +32,11 @@ struct Overlap_summary {
 Overlap_summary overlap_summary(const std::vector<Overlap>& pairs, const Mesh_view& mesh,
                                 const Points& positions);
 
+/// \brief Divides a surface into charts such that no two faces of a chart overlap in the plane.
+///
+/// Each chart grows across edges, from the face deepest inside that has none yet, as long as it
+/// does not meet itself. O(|F| log |F| + overlaps)
+/// \returns the chart of each face, numbered from 0; one chart of each component without overlaps
+std::vector<int> charts_without(const std::vector<Overlap>& overlaps, const Mesh_view& mesh);
+
 }  // namespace Conformal_geometry_processing::internal

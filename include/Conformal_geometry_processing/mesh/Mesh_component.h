@@ -10,6 +10,7 @@
 #include <vector>
 
 namespace Conformal_geometry_processing {
+
 namespace internal {
 
 /// \brief A part of a mesh, such as a connected component, as a separate mesh.
@@ -131,4 +132,19 @@ struct [[nodiscard]] Component_reports {
 };
 
 }  // namespace internal
+
+namespace internal {
+
+/// \brief the part with its vertices along the Morton curve of their positions, and its faces
+/// sorted by their corners, the least of which is the first: what is near on the surface is near in
+/// memory.
+///
+/// The order is that of the shape, so a mesh whose elements are numbered in another way becomes the
+/// same mesh, bit by bit; but vertices at the same position whose neighbours are at the same
+/// positions, too, keep their order. O(|V| log |V|)
+/// \pre positions are finite
+Mesh_component in_morton_order(const Mesh_component& part);
+
+}  // namespace internal
+
 }  // namespace Conformal_geometry_processing

@@ -2,11 +2,50 @@
 #include <Conformal_geometry_processing/operators/calculus.h>
 
 #include <Conformal_geometry_processing/mesh/normals.h>
-#include <Conformal_geometry_processing/operators/dirac.h>
 #include <Conformal_geometry_processing/operators/dirac_energy.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 
 namespace Conformal_geometry_processing {
+
+Eigen::SparseMatrix<double, Eigen::RowMajor> exterior_derivative_0(const Mesh_view& mesh)
+{
+  Eigen::SparseMatrix<double, Eigen::RowMajor> d(mesh.size_of_edges(), mesh.size_of_vertices());
+  d.reserve(Eigen::VectorXi::Constant(mesh.size_of_edges(), 2));
+  for (int k = 0; k < mesh.size_of_edges(); ++k) {
+    d.insert(k, mesh.ends(k)[0]) = -1;
+    d.insert(k, mesh.ends(k)[1]) = 1;
+  }
+  d.makeCompressed();
+  return d;
+}
+
+Eigen::SparseMatrix<double, Eigen::RowMajor> exterior_derivative_1(const Mesh_view& mesh)
+{
+  Eigen::SparseMatrix<double, Eigen::RowMajor> d(mesh.size_of_faces(), mesh.size_of_edges());
+  d.reserve(Eigen::VectorXi::Constant(mesh.size_of_faces(), 3));
+  for (int h = 0; h < mesh.size_of_halfedges(); ++h)
+    d.insert(Mesh_view::face(h), mesh.edge(h)) = mesh.from(h) < mesh.to(h) ? 1 : -1;
+  d.makeCompressed();
+  return d;
+}
+
+internal::Quaternionic_sparse_matrix<double> dirac(const Mesh_view& mesh)
+{
+  internal::Quaternionic_sparse_matrix<double> D(mesh.corners(), mesh.size_of_vertices());
+  for (int f = 0; f < mesh.size_of_faces(); ++f) {
+    const double double_area = mesh.double_area_vector(f).norm();
+    for (int c = 0; c < 3; ++c) D.value(f, c) = imaginary(mesh.vector(3 * f + c)) / -double_area;
+  }
+  return D;
+}
+
+internal::Quaternionic_sparse_matrix<double> averaging(const Mesh_view& mesh)
+{
+  internal::Quaternionic_sparse_matrix<double> B(mesh.corners(), mesh.size_of_vertices());
+  for (int f = 0; f < mesh.size_of_faces(); ++f)
+    for (int c = 0; c < 3; ++c) B.value(f, c) = {1. / 3, 0, 0, 0};
+  return B;
+}
 
 Quaternion_vector<double> as_quaternions(const Eigen::VectorXd& numbers)
 {

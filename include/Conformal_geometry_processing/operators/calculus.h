@@ -5,8 +5,33 @@
 #include <Quaternionic_linear_algebra/algebra/Quaternionic_sparse_matrix.h>
 
 #include <Eigen/Core>
+#include <Eigen/SparseCore>
 
 namespace Conformal_geometry_processing {
+
+/// \ingroup PkgOperators
+/// d0: |E| x |V|, the difference along each edge i -> j, i < j; the kernel of a connected mesh
+/// consists of the constants [CGP 5.6]
+Eigen::SparseMatrix<double, Eigen::RowMajor> exterior_derivative_0(const Mesh_view& mesh);
+
+/// \ingroup PkgOperators
+/// d1: |F| x |E|, the circulation around each face; d1 d0 = 0 exactly [CGP 5.6]
+Eigen::SparseMatrix<double, Eigen::RowMajor> exterior_derivative_1(const Mesh_view& mesh);
+
+/// \ingroup PkgOperators
+/// \brief D: |F| x |V|, the discrete quaternionic Dirac operator [CGP (5.1)].
+///
+/// (D lambda)_f = -1/(2 A_f) sum_c e_c lambda_c, where e_c is the edge opposite corner c, oriented
+/// counter-clockwise. D f = -2 N on every face, constants are in the kernel, and B^H M_F D is
+/// Hermitian on a closed surface. In 1/length.
+/// \param mesh must outlive the matrix
+/// \pre no face has area zero
+internal::Quaternionic_sparse_matrix<double> dirac(const Mesh_view& mesh);
+
+/// \ingroup PkgOperators
+/// \brief B: |F| x |V|, the mean of the three corners of each face [CGP 5.3]. Dimensionless.
+/// \param mesh must outlive the matrix
+internal::Quaternionic_sparse_matrix<double> averaging(const Mesh_view& mesh);
 
 /// \ingroup PkgOperators
 /// real numbers as quaternions

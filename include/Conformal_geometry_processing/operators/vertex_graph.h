@@ -1,7 +1,6 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #pragma once
 
-#include <Conformal_geometry_processing/mesh/Surface_part.h>
 #include <Conformal_geometry_processing/mesh/Surface_ref.h>
 #include <Quaternionic_linear_algebra/algebra/Hermitian_sparse_matrix.h>
 #include <Quaternionic_linear_algebra/threads/Thread_team.h>

@@ -91,4 +91,10 @@ Gray_image filtered(const Gray_image& image, Curvature_band band, double radius,
   return Gray_image(std::move(pixels));
 }
 
+Curvature_potential painted_curvature(const Gray_image& image, const Eigen::Matrix2Xd& places,
+                                      double amplitude)
+{
+  return Curvature_potential::on_faces(amplitude * (image(places).array() - 0.5));
+}
+
 }  // namespace Conformal_geometry_processing

@@ -2,9 +2,13 @@
 #pragma once
 
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
+#include <Quaternionic_linear_algebra/algebra/Hermitian_sparse_matrix.h>
 
 #include <Eigen/Core>
 
+#include <array>
+#include <complex>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -40,5 +44,34 @@ Eigen::VectorXd angle_defects(const Mesh_view& mesh);
 /// \param first inner vertices that are cones, with defects or without, at most `count`
 /// \pre the mesh is connected
 Cone_metric place_cones(const Mesh_view& mesh, int count, const std::vector<Cone>& first = {});
+
+/// Two edges whose images in the plane are to differ by a similarity: both sides of a cut, or
+/// neighbours at the boundary
+struct Seam {
+  std::array<int, 2> left, right;
+  std::complex<double> ratio;  ///< z[right[1]] - z[right[0]] by z[left[1]] - z[left[0]]
+};
+
+/// \brief The seams of a surface that was cut open to a disk through the cones of a metric that is
+/// flat elsewhere, exp(2 u) times its own, and those of its boundary before.
+///
+/// Crossing an edge turns the frame of a face by the connection of Levi-Civita, and by
+/// w_ij (u_i - u_j), the flux of u: around a vertex these add up to L u = defect - K, so that the
+/// sum is flat outside the cones [Crane et al. 2010]. Frames that agree inside of the disk differ
+/// by a rotation at each seam. Neighbours at the boundary, where u is constant, keep the ratio of
+/// their lengths, and turn by their angle in this metric.
+/// \param origin of each vertex, the same for copies of the same one
+/// \param log_scale u of each vertex, from `place_cones()`
+std::vector<Seam> seams_of(const Mesh_view& mesh, const std::vector<int>& origin,
+                           const Eigen::VectorXd& log_scale);
+
+/// The vertex graph with entries for all pairs of vertices of a seam
+std::shared_ptr<const Sparse_pattern> graph_with_seams(const Mesh_view& mesh,
+                                                       const std::vector<Seam>& seams);
+
+/// \brief Adds to an energy on that graph the squares of what images miss of their ratios, times
+/// a weight: `stiffness` is that of the springs that join the two sides.
+void add_seams(const std::vector<Seam>& seams, double stiffness,
+               Hermitian_sparse_matrix<std::complex<double>>& energy);
 
 }  // namespace Conformal_geometry_processing::internal

@@ -2,7 +2,7 @@
 #include <Conformal_geometry_processing/spin/Conformal_shape_space.h>
 
 #include <Conformal_geometry_processing/mesh/requirements.h>
-#include <Conformal_geometry_processing/operators/dirac.h>
+#include <Conformal_geometry_processing/operators/calculus.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 
 #include <cmath>

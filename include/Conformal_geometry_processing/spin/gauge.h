@@ -2,7 +2,7 @@
 #pragma once
 
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
-#include <Conformal_geometry_processing/mesh/Surface_part.h>
+#include <Conformal_geometry_processing/mesh/Surface_ref.h>
 #include <Quaternionic_linear_algebra/algebra/Quaternion_vector.h>
 
 #include <Eigen/Core>

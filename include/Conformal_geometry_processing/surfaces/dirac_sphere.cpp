@@ -11,6 +11,7 @@
 #include <cstdlib>
 
 namespace Conformal_geometry_processing {
+
 namespace internal {
 
 double normalized_legendre(int l, int m, double cosine, double sine)
@@ -123,6 +124,19 @@ Spin_result spin_to_dirac_sphere(const Mesh_view& mesh, int kappa, int s,
   Quaternion_vector<double> lambda(p.cols());
   for (Eigen::Index v = 0; v < p.cols(); ++v) lambda[v] = spherical_spinor(kappa, s, p.col(v));
   return surface_of_spin(mesh, std::move(lambda), function, solvers);
+}
+
+Spin_result dirac_disk(const Mesh_view& mesh, double wanted, const Dirac_options& options,
+                       const std::string& function)
+{
+  Spin_transformation_options own{Boundary_condition::binormals()};
+  own.dirac = options;
+  own.dirac.branch = Dirac_options::Branch::smallest;
+  const auto rho =
+      Curvature_potential::on_vertices(Eigen::VectorXd::Constant(mesh.size_of_vertices(), wanted));
+  Spin_result result = Spin_transformation(mesh, own, function).transform(rho);
+  result.report.limits.map.flipped_share = 0;
+  return result;
 }
 
 }  // namespace Conformal_geometry_processing

@@ -80,4 +80,19 @@ Spin_result spin_to_dirac_sphere(const Mesh_view& mesh, int kappa, int s,
                                  const std::string& function = "spin_to_dirac_sphere",
                                  const Spin_solvers& solvers = {});
 
+/// \ingroup PkgSurfaces
+/// \brief Computes the surface for the eigenvalue of D nearest to `wanted`, with binormals
+/// preserved: for plane domains a Dirac surface, whose curvature half-density is a multiple of its
+/// length half-density [CGP 6.5.2].
+///
+/// For a plane domain the eigenvalues are the square roots, of either sign, of the Dirichlet and
+/// Neumann eigenvalues of the Laplacian: on the unit disk the zeros of Bessel functions and of
+/// their derivatives. Many of these surfaces have branch points, around which coarse meshes fold
+/// over; the report is false if any face flips.
+/// \param wanted in 1/length; the eigenvalue itself is `wanted` plus that of the report
+/// \throw Precondition_error if the mesh is not suitable, or closed
+/// \throw Solver_error if a factorization fails
+Spin_result dirac_disk(const Mesh_view& mesh, double wanted, const Dirac_options& options = {},
+                       const std::string& function = "dirac_disk");
+
 }  // namespace Conformal_geometry_processing

@@ -1,6 +1,7 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+// Tests reduced/Reduced_hermitian_solver.h
 #include <Quaternionic_linear_algebra/adapters/Eigen_hermitian_solver_traits.h>
-#include <Quaternionic_linear_algebra/reduced/Real_reduced_solver.h>
+#include <Quaternionic_linear_algebra/reduced/Reduced_hermitian_solver.h>
 
 #include <gtest/gtest.h>
 

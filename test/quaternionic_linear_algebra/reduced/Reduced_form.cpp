@@ -3,8 +3,8 @@
 #include <Conformal_geometry_processing/operators/vertex_graph.h>
 #include <Quaternionic_linear_algebra/direct/Ordering.h>
 #include <Quaternionic_linear_algebra/direct/sweep_nested_dissection.h>
-#include <Quaternionic_linear_algebra/reduced/Real_reduced_solver.h>
 #include <Quaternionic_linear_algebra/reduced/Reduced_form.h>
+#include <Quaternionic_linear_algebra/reduced/Reduced_hermitian_solver.h>
 
 #include <gtest/gtest.h>
 

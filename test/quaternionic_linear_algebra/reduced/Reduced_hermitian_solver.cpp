@@ -2,7 +2,6 @@
 #include <Quaternionic_linear_algebra/algebra/rotor.h>
 #include <Quaternionic_linear_algebra/dense/block_operators.h>
 #include <Quaternionic_linear_algebra/direct/Ordering.h>
-#include <Quaternionic_linear_algebra/reduced/Real_reduced_solver.h>
 #include <Quaternionic_linear_algebra/reduced/Reduced_hermitian_solver.h>
 
 #include <gtest/gtest.h>

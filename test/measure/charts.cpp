@@ -1,7 +1,8 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+// Tests measure/overlaps.h
+#include <Conformal_geometry_processing/measure/overlaps.h>
 #include <Conformal_geometry_processing/mesh/Mesh_component.h>
 #include <Conformal_geometry_processing/mesh/topology.h>
-#include <Conformal_geometry_processing/parameterization/charts.h>
 
 #include <gtest/gtest.h>
 
