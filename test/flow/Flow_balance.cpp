@@ -1,6 +1,6 @@
-// Tests include/Conformal_geometry_processing/flow/Flow_balance.h
+// Tests include/Conformal_geometry_processing/flow/Moebius_balancing.h
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-#include <Conformal_geometry_processing/flow/Flow_balance.h>
+#include <Conformal_geometry_processing/flow/Moebius_balancing.h>
 #include <Conformal_geometry_processing/mesh/normals.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 #include <Conformal_geometry_processing/operators/vertex_graph.h>

@@ -1,6 +1,6 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-// Tests include/Conformal_geometry_processing/flow/Outline_fairing.h
-#include <Conformal_geometry_processing/flow/Outline_fairing.h>
+// Tests include/Conformal_geometry_processing/flow/fair_region.h
+#include <Conformal_geometry_processing/flow/fair_region.h>
 
 #include <gtest/gtest.h>
 

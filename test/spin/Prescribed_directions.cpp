@@ -1,7 +1,8 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+// Tests spin/Prescribed_boundary.h
 #include <Conformal_geometry_processing/operators/calculus.h>
 #include <Conformal_geometry_processing/operators/cotan_laplacian.h>
-#include <Conformal_geometry_processing/spin/Prescribed_directions.h>
+#include <Conformal_geometry_processing/spin/Prescribed_boundary.h>
 
 #include <gtest/gtest.h>
 

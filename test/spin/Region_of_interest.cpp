@@ -1,7 +1,6 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-// Tests include/Conformal_geometry_processing/spin/Region_of_interest.h
+// Tests include/Conformal_geometry_processing/spin/Conformal_deformation.h
 #include <Conformal_geometry_processing/spin/Conformal_deformation.h>
-#include <Conformal_geometry_processing/spin/Region_of_interest.h>
 #include <Quaternionic_linear_algebra/exceptions.h>
 
 #include <gtest/gtest.h>

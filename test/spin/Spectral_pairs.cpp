@@ -1,5 +1,6 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-#include <Conformal_geometry_processing/spin/Spectral_pairs.h>
+// Tests spin/Dirac_spectrum.h
+#include <Conformal_geometry_processing/spin/Dirac_spectrum.h>
 
 #include <gtest/gtest.h>
 

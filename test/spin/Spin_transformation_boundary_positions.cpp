@@ -1,6 +1,6 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 // Tests include/Conformal_geometry_processing/spin/Spin_transformation.h
-// Tests include/Conformal_geometry_processing/spin/Prescribed_positions.h
+// Tests include/Conformal_geometry_processing/spin/Prescribed_boundary.h
 #include <limits>
 
 #include "spin/boundary_tools.h"

@@ -1,4 +1,4 @@
-// Tests include/Conformal_geometry_processing/spin/curvature_of_displacement.h
+// Tests include/Conformal_geometry_processing/spin/curvature_difference.h
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/measure/alignment.h>
 #include <Conformal_geometry_processing/measure/distortion.h>
@@ -6,7 +6,7 @@
 #include <Conformal_geometry_processing/operators/cotan_laplacian.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
-#include <Conformal_geometry_processing/spin/curvature_of_displacement.h>
+#include <Conformal_geometry_processing/spin/curvature_difference.h>
 
 #include "spin/boundary_tools.h"
 #include "support/scans.h"

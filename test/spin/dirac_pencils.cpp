@@ -1,6 +1,7 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+// Tests spin/solve_dirac_equation.h
 #include <Conformal_geometry_processing/operators/dirac_energy.h>
-#include <Conformal_geometry_processing/spin/dirac_pencils.h>
+#include <Conformal_geometry_processing/spin/solve_dirac_equation.h>
 #include <Quaternionic_linear_algebra/dense/block_operators.h>
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-// Tests spin/Prescribed_directions.h
-#include <Conformal_geometry_processing/spin/Prescribed_directions.h>
+// Tests spin/Prescribed_boundary.h
+#include <Conformal_geometry_processing/spin/Prescribed_boundary.h>
 
 #include <gtest/gtest.h>
 

@@ -13,7 +13,6 @@
 #include "conformal/transform/write_result.h"
 
 #include <Conformal_geometry_processing/spin/Conformal_deformation.h>
-#include <Conformal_geometry_processing/spin/Region_of_interest.h>
 
 #include <functional>
 #include <string>

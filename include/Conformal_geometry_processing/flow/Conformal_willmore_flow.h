@@ -4,10 +4,10 @@
 #include <Conformal_geometry_processing/flow/Class_keeper.h>
 #include <Conformal_geometry_processing/flow/Constrained_direction.h>
 #include <Conformal_geometry_processing/flow/Curvature_direction_ref.h>
-#include <Conformal_geometry_processing/flow/Face_filter.h>
-#include <Conformal_geometry_processing/flow/Flow_balance.h>
+#include <Conformal_geometry_processing/flow/Curvature_filter.h>
 #include <Conformal_geometry_processing/flow/Flow_options.h>
 #include <Conformal_geometry_processing/flow/Flow_report.h>
+#include <Conformal_geometry_processing/flow/Moebius_balancing.h>
 #include <Conformal_geometry_processing/flow/Refusal.h>
 #include <Conformal_geometry_processing/flow/Scale_bound.h>
 #include <Conformal_geometry_processing/flow/Step_control.h>

@@ -6,8 +6,7 @@
 #include <Conformal_geometry_processing/operators/dirac_energy.h>
 #include <Conformal_geometry_processing/spin/Boundary_condition.h>
 #include <Conformal_geometry_processing/spin/Dirac_solution.h>
-#include <Conformal_geometry_processing/spin/Prescribed_directions.h>
-#include <Conformal_geometry_processing/spin/Prescribed_positions.h>
+#include <Conformal_geometry_processing/spin/Prescribed_boundary.h>
 #include <Quaternionic_linear_algebra/algebra/Hermitian_sparse_matrix.h>
 #include <Quaternionic_linear_algebra/dense/block_operators.h>
 #include <Quaternionic_linear_algebra/direct/Solver_ref.h>

@@ -1,6 +1,6 @@
-// Tests include/Quaternionic_linear_algebra/dense/weighted_orthonormalization.h
+// Tests include/Conformal_geometry_processing/spin/Exactness_constraints.h
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-#include <Quaternionic_linear_algebra/dense/weighted_orthonormalization.h>
+#include <Conformal_geometry_processing/spin/Exactness_constraints.h>
 #include <Quaternionic_linear_algebra/exceptions.h>
 
 #include <gtest/gtest.h>
