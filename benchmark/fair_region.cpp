@@ -11,7 +11,7 @@
 /// spheres and parts of tori, where the distance from the smooth surface is known; on meshes the
 /// distance is that from the faces that were cut out.
 #include <Conformal_geometry_processing/conformal_fairing.h>
-#include <Conformal_geometry_processing/flow/Bending_energy.h>
+#include <Conformal_geometry_processing/flow/Fairing_patch.h>
 #include <Conformal_geometry_processing/mesh/normals.h>
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>

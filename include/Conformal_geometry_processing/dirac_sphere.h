@@ -5,7 +5,7 @@
 #include <Conformal_geometry_processing/core/dirac_parameters.h>
 #include <Conformal_geometry_processing/core/named_parameters.h>
 #include <Conformal_geometry_processing/core/spin_parameters.h>
-#include <Conformal_geometry_processing/surfaces/dirac_sphere.h>
+#include <Conformal_geometry_processing/surfaces/spheres.h>
 
 namespace Conformal_geometry_processing {
 

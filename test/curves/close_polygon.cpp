@@ -1,5 +1,6 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-#include <Conformal_geometry_processing/curves/close_polygon.h>
+// Tests curves/polygons.h
+#include <Conformal_geometry_processing/curves/polygons.h>
 
 #include <gtest/gtest.h>
 #include <Eigen/Core>

@@ -1,5 +1,6 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-#include <Conformal_geometry_processing/flow/Bending_energy.h>
+// Tests flow/Fairing_patch.h
+#include <Conformal_geometry_processing/flow/Fairing_patch.h>
 #include <Conformal_geometry_processing/measure/energies.h>
 
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/flow/Conformal_willmore_flow.h>
 #include <Conformal_geometry_processing/flow/Moebius_balancing.h>
-#include <Conformal_geometry_processing/measure/Enclosure.h>
+#include <Conformal_geometry_processing/measure/energies.h>
 #include <Conformal_geometry_processing/spin/spin_structure.h>
 #include <Conformal_geometry_processing/surfaces/tori.h>
 

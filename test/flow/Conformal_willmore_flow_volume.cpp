@@ -2,7 +2,7 @@
 // Tests include/Conformal_geometry_processing/flow/Flow_options.h
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/flow/Conformal_willmore_flow.h>
-#include <Conformal_geometry_processing/measure/Enclosure.h>
+#include <Conformal_geometry_processing/measure/energies.h>
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,6 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-#include <Conformal_geometry_processing/flow/Curvature_direction_ref.h>
+// Tests flow/Constrained_direction.h
+#include <Conformal_geometry_processing/flow/Constrained_direction.h>
 #include <Conformal_geometry_processing/mesh/normals.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 

@@ -1,7 +1,7 @@
 // Tests include/Conformal_geometry_processing/flow/Volume_constraint.h
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/flow/Volume_constraint.h>
-#include <Conformal_geometry_processing/measure/Enclosure.h>
+#include <Conformal_geometry_processing/measure/energies.h>
 #include <Conformal_geometry_processing/operators/mean_curvature.h>
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-// Tests flow/fair_region.h flow/Bending_energy.h
+// Tests flow/fair_region.h flow/Fairing_patch.h
 #include <Conformal_geometry_processing/flow/fair_region.h>
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
-// Tests include/Conformal_geometry_processing/measure/Enclosure.h
+// Tests include/Conformal_geometry_processing/measure/energies.h
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-#include <Conformal_geometry_processing/measure/Enclosure.h>
+#include <Conformal_geometry_processing/measure/energies.h>
 
 #include <gtest/gtest.h>
 

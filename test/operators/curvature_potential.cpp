@@ -1,6 +1,7 @@
 // Tests include/Conformal_geometry_processing/operators/Curvature_potential.h
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/operators/Curvature_potential.h>
+#include <Conformal_geometry_processing/operators/calculus.h>
 
 #include <gtest/gtest.h>
 

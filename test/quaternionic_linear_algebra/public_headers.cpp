@@ -1,11 +1,9 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 // Tests direct_solvers.h eigensolvers.h settings.h
 // Tests iterative_solvers.h
-// Tests reduced_solver.h
 #include <Quaternionic_linear_algebra/direct_solvers.h>
 #include <Quaternionic_linear_algebra/eigensolvers.h>
 #include <Quaternionic_linear_algebra/iterative_solvers.h>
-#include <Quaternionic_linear_algebra/reduced_solver.h>
 #include <Quaternionic_linear_algebra/settings.h>
 
 #include <Quaternionic_linear_algebra/algebra/Quaternion_vector.h>

@@ -1,8 +1,8 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #pragma once
 
+#include <Conformal_geometry_processing/operators/calculus.h>
 #include <Quaternionic_linear_algebra/algebra/Hermitian_sparse_matrix.h>
-#include <Quaternionic_linear_algebra/algebra/Quaternionic_sparse_matrix.h>
 
 #include <Eigen/Core>
 

@@ -1,7 +1,7 @@
-// Tests include/Conformal_geometry_processing/surfaces/dirac_sphere.h
+// Tests include/Conformal_geometry_processing/surfaces/spheres.h
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/measure/alignment.h>
-#include <Conformal_geometry_processing/surfaces/dirac_sphere.h>
+#include <Conformal_geometry_processing/surfaces/spheres.h>
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,5 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
+// Tests surfaces/spheres.h
 #include <Conformal_geometry_processing/measure/alignment.h>
 #include <Conformal_geometry_processing/measure/energies.h>
 #include <Conformal_geometry_processing/operators/calculus.h>
@@ -6,7 +7,7 @@
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 #include <Conformal_geometry_processing/operators/mean_curvature.h>
 #include <Conformal_geometry_processing/spin/Dirac_spectrum.h>
-#include <Conformal_geometry_processing/surfaces/dirac_sphere.h>
+#include <Conformal_geometry_processing/surfaces/spheres.h>
 
 #include <gtest/gtest.h>
 

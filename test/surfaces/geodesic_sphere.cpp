@@ -1,8 +1,8 @@
-// Tests include/Conformal_geometry_processing/surfaces/geodesic_sphere.h
+// Tests include/Conformal_geometry_processing/surfaces/spheres.h
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/measure/energies.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>
-#include <Conformal_geometry_processing/surfaces/geodesic_sphere.h>
+#include <Conformal_geometry_processing/surfaces/spheres.h>
 
 #include <gtest/gtest.h>
 

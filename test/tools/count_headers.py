@@ -14,7 +14,7 @@ import sources
 
 PROGRAM = """
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
-#include <Conformal_geometry_processing/surfaces/geodesic_sphere.h>
+#include <Conformal_geometry_processing/surfaces/spheres.h>
 namespace CGP = Conformal_geometry_processing;
 int main()
 {

@@ -15,8 +15,8 @@
 #include "conformal/transform/write_result.h"
 
 #include <Conformal_geometry_processing/flow/Conformal_willmore_flow.h>
-#include <Conformal_geometry_processing/measure/Enclosure.h>
 #include <Conformal_geometry_processing/measure/distortion.h>
+#include <Conformal_geometry_processing/measure/energies.h>
 #include <Conformal_geometry_processing/mesh/topology.h>
 
 #include <cmath>

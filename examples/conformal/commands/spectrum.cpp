@@ -15,7 +15,7 @@
 
 #include <Conformal_geometry_processing/mesh/topology.h>
 #include <Conformal_geometry_processing/spin/Dirac_spectrum.h>
-#include <Conformal_geometry_processing/surfaces/dirac_sphere.h>
+#include <Conformal_geometry_processing/surfaces/spheres.h>
 
 #include <optional>
 #include <string>

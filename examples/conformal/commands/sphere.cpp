@@ -8,8 +8,7 @@
 #include "conformal/transform/write_result.h"
 
 #include <Conformal_geometry_processing/measure/energies.h>
-#include <Conformal_geometry_processing/surfaces/dirac_sphere.h>
-#include <Conformal_geometry_processing/surfaces/geodesic_sphere.h>
+#include <Conformal_geometry_processing/surfaces/spheres.h>
 #include <Quaternionic_linear_algebra/exceptions.h>
 
 #include <cmath>

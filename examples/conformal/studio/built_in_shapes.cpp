@@ -1,7 +1,7 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include "built_in_shapes.h"
 
-#include <Conformal_geometry_processing/surfaces/geodesic_sphere.h>
+#include <Conformal_geometry_processing/surfaces/spheres.h>
 #include <Conformal_geometry_processing/surfaces/tori.h>
 
 #include <cmath>

@@ -1,8 +1,6 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/curves/Isometric_curve_flow.h>
 
-#include <Conformal_geometry_processing/curves/close_polygon.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -3,7 +3,6 @@
 
 #include <Conformal_geometry_processing/flow/Class_keeper.h>
 #include <Conformal_geometry_processing/flow/Constrained_direction.h>
-#include <Conformal_geometry_processing/flow/Curvature_direction_ref.h>
 #include <Conformal_geometry_processing/flow/Curvature_filter.h>
 #include <Conformal_geometry_processing/flow/Flow_options.h>
 #include <Conformal_geometry_processing/flow/Flow_report.h>

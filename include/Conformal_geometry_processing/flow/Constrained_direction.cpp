@@ -6,7 +6,6 @@
 #include <Conformal_geometry_processing/mesh/requirements.h>
 
 #include <cmath>
-#include <utility>
 
 namespace Conformal_geometry_processing {
 

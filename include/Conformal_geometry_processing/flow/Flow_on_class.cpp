@@ -3,7 +3,7 @@
 #include <Conformal_geometry_processing/flow/Conformal_willmore_flow.h>
 
 #include <Conformal_geometry_processing/forms/conformal_modulus.h>
-#include <Conformal_geometry_processing/measure/Enclosure.h>
+#include <Conformal_geometry_processing/measure/energies.h>
 #include <Conformal_geometry_processing/mesh/Intrinsic_triangulation.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Conformal_geometry_processing/mesh/topology.h>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <Conformal_geometry_processing/measure/Conformality.h>
-#include <Conformal_geometry_processing/measure/Enclosure.h>
+#include <Conformal_geometry_processing/measure/energies.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 #include <Conformal_geometry_processing/spin/Spin_report.h>
 #include <Quaternionic_linear_algebra/krylov/Eigensolver_result.h>

@@ -1,7 +1,7 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/flow/Volume_constraint.h>
 
-#include <Conformal_geometry_processing/measure/Enclosure.h>
+#include <Conformal_geometry_processing/measure/energies.h>
 #include <Conformal_geometry_processing/mesh/Normalized_frame.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Conformal_geometry_processing/operators/dirac_energy.h>

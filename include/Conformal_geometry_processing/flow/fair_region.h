@@ -2,7 +2,6 @@
 #pragma once
 
 #include <Conformal_geometry_processing/conformal_class/Class_equations.h>
-#include <Conformal_geometry_processing/flow/Bending_energy.h>
 #include <Conformal_geometry_processing/flow/Fairing_patch.h>
 #include <Conformal_geometry_processing/measure/Conformality.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>

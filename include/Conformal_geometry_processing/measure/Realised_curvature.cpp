@@ -1,7 +1,7 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/measure/Realised_curvature.h>
 
-#include <Conformal_geometry_processing/measure/Enclosure.h>
+#include <Conformal_geometry_processing/measure/energies.h>
 #include <Conformal_geometry_processing/mesh/Normalized_frame.h>
 #include <Conformal_geometry_processing/mesh/topology.h>
 #include <Conformal_geometry_processing/operators/cotan_laplacian.h>

@@ -34,4 +34,36 @@ double willmore_energy(const Surface_ref& surface);
 /// error of the opposite sign
 double steiner_willmore_energy(const Mesh_view& mesh);
 
+/// \ingroup PkgMeasure
+/// the area of a closed surface and the volume that it encloses
+struct Enclosure {
+  double area = 0;
+  double volume = 0;          ///< negative if the normals point inward
+  double reduced_volume = 0;  ///< the volume by that of the round sphere of the same area, at most
+                              ///< 1: 6 sqrt(pi) volume / area^(3/2), which is scale-invariant
+};
+
+/// \ingroup PkgMeasure
+/// Returns area and volume of a closed surface of any scale
+Enclosure enclosure(const Mesh_view& mesh);
+
+namespace internal {
+
+/// \brief area, enclosed volume, and their derivatives by the positions, which are bounded for thin
+/// faces too. Faces without area have no derivative and count as zero there.
+struct Enclosure_gradient {
+  /// \param f positions of the vertices, 3 x |V|, of a scale where volumes do not overflow
+  Enclosure_gradient(const Mesh_view& mesh, const Points& f);
+
+  double reduced_volume() const;
+
+  /// of its logarithm, 3 x |V|
+  Points of_log_reduced_volume() const;
+
+  double area = 0, volume = 0;
+  Points of_area, of_volume;  ///< 3 x |V|
+};
+
+}  // namespace internal
+
 }  // namespace Conformal_geometry_processing

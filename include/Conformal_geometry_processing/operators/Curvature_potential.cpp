@@ -18,17 +18,6 @@ Curvature_potential no_potential(const Surface_ref& surface)
   return Curvature_potential::on_vertices(Eigen::VectorXd::Zero(surface.size_of_vertices()));
 }
 
-internal::Quaternionic_sparse_matrix<double> potential_matrix(const Mesh_view& mesh,
-                                                              const Curvature_potential& rho)
-{
-  internal::Quaternionic_sparse_matrix<double> R(mesh.corners(), mesh.size_of_vertices());
-  for (int f = 0; f < mesh.size_of_faces(); ++f) {
-    const Eigen::Vector3d r = rho.at_corners(mesh.sheet(f));
-    for (int c = 0; c < 3; ++c) R.value(f, c) = {r[c] / 3, 0, 0, 0};
-  }
-  return R;
-}
-
 Eigen::VectorXd curvature_areas(const Surface_ref& surface, Curvature_potential::On on)
 {
   if (on == Curvature_potential::On::vertices) return vertex_areas(surface);

@@ -3,7 +3,6 @@
 
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 #include <Conformal_geometry_processing/mesh/Surface_ref.h>
-#include <Quaternionic_linear_algebra/algebra/Quaternionic_sparse_matrix.h>
 #include <Quaternionic_linear_algebra/exceptions.h>
 
 #include <Eigen/Core>
@@ -40,15 +39,6 @@ struct Curvature_potential {
 /// \ingroup PkgOperators
 /// rho = 0, on the vertices
 Curvature_potential no_potential(const Surface_ref& surface);
-
-/// \ingroup PkgOperators
-/// \brief R: |F| x |V|, multiplication by rho [CGP 5.3]; in 1/length.
-///
-/// R = P B for rho on faces and R = B P for rho on vertices, with P = diag(rho): the latter
-/// interpolates the product rho lambda linearly.
-/// \param mesh must outlive the matrix
-internal::Quaternionic_sparse_matrix<double> potential_matrix(const Mesh_view& mesh,
-                                                              const Curvature_potential& rho);
 
 /// \ingroup PkgOperators
 /// \brief the areas that belong to the values of rho, |V| or |F|: integrals over the surface are

@@ -47,6 +47,17 @@ internal::Quaternionic_sparse_matrix<double> averaging(const Mesh_view& mesh)
   return B;
 }
 
+internal::Quaternionic_sparse_matrix<double> potential_matrix(const Mesh_view& mesh,
+                                                              const Curvature_potential& rho)
+{
+  internal::Quaternionic_sparse_matrix<double> R(mesh.corners(), mesh.size_of_vertices());
+  for (int f = 0; f < mesh.size_of_faces(); ++f) {
+    const Eigen::Vector3d r = rho.at_corners(mesh.sheet(f));
+    for (int c = 0; c < 3; ++c) R.value(f, c) = {r[c] / 3, 0, 0, 0};
+  }
+  return R;
+}
+
 Quaternion_vector<double> as_quaternions(const Eigen::VectorXd& numbers)
 {
   Quaternion_vector<double> q(numbers.size());

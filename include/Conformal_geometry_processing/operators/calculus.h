@@ -2,12 +2,89 @@
 #pragma once
 
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
-#include <Quaternionic_linear_algebra/algebra/Quaternionic_sparse_matrix.h>
+#include <Conformal_geometry_processing/operators/Curvature_potential.h>
+#include <Quaternionic_linear_algebra/algebra/Quaternion_vector.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
+#include <array>
+#include <cstddef>
+#include <vector>
+
 namespace Conformal_geometry_processing {
+
+namespace internal {
+
+/// \brief A |F| x |V| quaternionic matrix with three entries per row: an operator that maps values
+/// at vertices to values on triangles [CGP 5.1].
+///
+/// Its pattern is the list of corners of the triangles, fixed at construction; assembly writes to
+/// `value(f, c)`, the entry in row f and in the column of corner c. Right-linear: A (x q) = (A x)
+/// q.
+template <class FT_>
+class Quaternionic_sparse_matrix {
+ public:
+  using FT = FT_;
+  using Corners = std::vector<std::array<int, 3>>;
+
+  /// The zero matrix
+  /// \param corners the three columns of each row; must outlive the matrix
+  /// \param columns the number of columns, greater than every entry of `corners`
+  Quaternionic_sparse_matrix(const Corners& corners, int columns)
+      : m_corners(&corners), m_columns(columns), m_values(3 * corners.size())
+  {}
+
+  int rows() const { return static_cast<int>(m_corners->size()); }
+  int cols() const { return m_columns; }
+
+  /// The column of entry c of row f
+  int column(int f, int c) const
+  {
+    return (*m_corners)[static_cast<std::size_t>(f)][static_cast<std::size_t>(c)];
+  }
+
+  Quaternion<FT>& value(int f, int c) { return m_values[position(f, c)]; }
+  const Quaternion<FT>& value(int f, int c) const { return m_values[position(f, c)]; }
+
+  /// A x: maps |V| to |F| quaternions
+  Quaternion_vector<FT> operator*(const Quaternion_vector<FT>& x) const
+  {
+    Quaternion_vector<FT> y(rows());
+    for (int f = 0; f < rows(); ++f)
+      for (int c = 0; c < 3; ++c) y[f] += value(f, c) * x[column(f, c)];
+    return y;
+  }
+
+  /// A^H y, with the conjugate transpose: maps |F| to |V| quaternions
+  Quaternion_vector<FT> adjoint_times(const Quaternion_vector<FT>& y) const
+  {
+    Quaternion_vector<FT> x(cols());
+    for (int f = 0; f < rows(); ++f)
+      for (int c = 0; c < 3; ++c) x[column(f, c)] += conjugate(value(f, c)) * y[f];
+    return x;
+  }
+
+  /// The difference of two matrices with the same corners
+  friend Quaternionic_sparse_matrix operator-(Quaternionic_sparse_matrix a,
+                                              const Quaternionic_sparse_matrix& b)
+  {
+    for (std::size_t k = 0; k < a.m_values.size(); ++k) a.m_values[k] -= b.m_values[k];
+    return a;
+  }
+
+ private:
+  static std::size_t position(int f, int c)
+  {
+    return 3 * static_cast<std::size_t>(f) + static_cast<std::size_t>(c);
+  }
+
+  const Corners* m_corners;
+  int m_columns;
+  std::vector<Quaternion<FT>> m_values;
+};
+
+}  // namespace internal
 
 /// \ingroup PkgOperators
 /// d0: |E| x |V|, the difference along each edge i -> j, i < j; the kernel of a connected mesh
@@ -32,6 +109,15 @@ internal::Quaternionic_sparse_matrix<double> dirac(const Mesh_view& mesh);
 /// \brief B: |F| x |V|, the mean of the three corners of each face [CGP 5.3]. Dimensionless.
 /// \param mesh must outlive the matrix
 internal::Quaternionic_sparse_matrix<double> averaging(const Mesh_view& mesh);
+
+/// \ingroup PkgOperators
+/// \brief R: |F| x |V|, multiplication by rho [CGP 5.3]; in 1/length.
+///
+/// R = P B for rho on faces and R = B P for rho on vertices, with P = diag(rho): the latter
+/// interpolates the product rho lambda linearly.
+/// \param mesh must outlive the matrix
+internal::Quaternionic_sparse_matrix<double> potential_matrix(const Mesh_view& mesh,
+                                                              const Curvature_potential& rho);
 
 /// \ingroup PkgOperators
 /// real numbers as quaternions

@@ -1,6 +1,6 @@
-// Tests algebra/Quaternionic_sparse_matrix.h
+// Tests operators/calculus.h
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-#include <Quaternionic_linear_algebra/algebra/Quaternionic_sparse_matrix.h>
+#include <Conformal_geometry_processing/operators/calculus.h>
 
 #include <gtest/gtest.h>
 

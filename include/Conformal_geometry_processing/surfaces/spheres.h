@@ -95,4 +95,11 @@ Spin_result spin_to_dirac_sphere(const Mesh_view& mesh, int kappa, int s,
 Spin_result dirac_disk(const Mesh_view& mesh, double wanted, const Dirac_options& options = {},
                        const std::string& function = "dirac_disk");
 
+/// \ingroup PkgSurfaces
+/// \brief Creates the unit sphere with 20 n^2 faces: divides the edges of the icosahedron into n
+/// parts and projects the points of its faces. Normals point outward.
+/// \param frequency n
+/// \throw Precondition_error if it is below one
+Mesh_view geodesic_sphere(int frequency);
+
 }  // namespace Conformal_geometry_processing
