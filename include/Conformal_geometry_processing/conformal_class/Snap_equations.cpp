@@ -29,6 +29,15 @@ struct Rim_frame {
   double height;         // of the third vertex above the edge
 };
 
+constexpr double snap_scale_weight = .01;  // of |du|^2 in G
+constexpr double largest_snap_eps = 1e-3, smallest_snap_eps = 1e-11;
+
+inline void require_snap(Solver_status status)
+{
+  if (status != Solver_status::success)
+    throw Solver_error("snap to the conformal class", to_string(status));
+}
+
 }  // namespace internal
 
 internal::Rim_directions::Rim_directions(const Mesh_view& mesh, const Eigen::Vector3d& direction)
@@ -83,19 +92,6 @@ std::vector<internal::Rim_directions::Row> internal::Rim_directions::derivative(
   }
   return rows;
 }
-
-namespace internal {
-
-constexpr double snap_scale_weight = .01;  // of |du|^2 in G
-constexpr double largest_snap_eps = 1e-3, smallest_snap_eps = 1e-11;
-
-inline void require_snap(Solver_status status)
-{
-  if (status != Solver_status::success)
-    throw Solver_error("snap to the conformal class", to_string(status));
-}
-
-}  // namespace internal
 
 internal::Snap_equations::Snap_equations(const Mesh_view& mesh, const Sparse_pattern& graph)
     : m_components(connected_components(mesh)), m_form(Edge_scales(mesh), graph)

@@ -9,7 +9,6 @@
 #include <string>
 
 namespace Conformal_geometry_processing {
-
 namespace internal {
 
 /// One point or vector of the plane per column
@@ -42,6 +41,81 @@ class Polygon_lengths {
   double m_total = 0;
   bool m_is_closed = true;
 };
+
+/// \brief Normalized coordinates of curve flows: `Normalized_frame` in the plane, which makes
+/// results independent of the unit of length and of a distant origin.
+class Curve_frame {
+ public:
+  /// \pre `points` is not empty and finite
+  explicit Curve_frame(const Plane_points& points) : m_frame(in_space(points)) {}
+
+  /// The unit of the frame in units of the curve, a power of two
+  double unit() const { return m_frame.unit(); }
+
+  Plane_points to_frame(const Plane_points& points) const;
+
+  /// Transforms points from the frame to the curve, in the memory of `result`
+  void from_frame(const Plane_points& points, Plane_points& result) const;
+
+ private:
+  static Points in_space(const Plane_points& points);
+
+  Normalized_frame m_frame;
+};
+
+/// \brief The functions 1, f^x, f^y on the vertices of a curve f, orthogonalized: a change of
+/// curvature that is orthogonal to them keeps the curve closed, to first order [CGP 4.2].
+///
+/// They are 1 and the coordinates along the principal axes of the curve, so they depend neither on
+/// its position nor on its first vertex. O(m).
+class Closing_functions {
+ public:
+  /// \param points 2 x m \param weights of the inner product: the dual lengths, m positive numbers
+  Closing_functions(const Plane_points& points, const Eigen::VectorXd& weights);
+
+  /// Returns the three functions at a point
+  Eigen::Vector3d values(const Eigen::Vector2d& point) const;
+
+  /// Returns the linear combination of the three functions that has these inner products with them
+  Eigen::Vector3d combination(const Eigen::Vector3d& products) const;
+
+ private:
+  Eigen::Vector2d m_mean, m_axis;
+  Eigen::Vector3d m_norms;  // squared
+};
+
+/// \brief A compensated running sum of vectors of the plane, accurate to one rounding.
+///
+/// The vertices of a polygon are such sums of its edges. Without compensation, their rounding
+/// errors grow with the number of edges, and accumulate in the edge that closes the polygon.
+class Compensated_sum {
+ public:
+  void add(const Eigen::Vector2d& x);
+
+  Eigen::Vector2d value() const { return m_sum + m_lost; }
+
+ private:
+  Eigen::Vector2d m_sum = Eigen::Vector2d::Zero(), m_lost = Eigen::Vector2d::Zero();
+};
+
+/// Result of closing a polygon
+struct Closing_result {
+  double first_gap = 0;  ///< between its ends before, relative to its length
+  double gap = 0;        ///< likewise, afterwards
+  int iterations = 0;    ///< of Newton's method
+  bool is_closed = false;
+};
+
+/// Returns the gap of the edges, and computes the vertices; the last edge ends at the first vertex,
+/// as required by the derivative of the gap.
+Eigen::Vector2d end_to_end(const Plane_points& tangents, Plane_points& points);
+
+/// One step of Newton's method: changes the curvature by a combination of the functions at the
+/// vertices of `shape`, such that to first order the gap is closed and the total turning is
+/// `turning`.
+void correct_curvatures(const Eigen::Vector2d& gap, double turning, const Plane_points& points,
+                        const Closing_functions& functions, const Plane_points& shape,
+                        const Polygon_lengths& lengths, Eigen::VectorXd& curvatures);
 
 }  // namespace internal
 
@@ -81,31 +155,6 @@ int turning_number(const Eigen::VectorXd& angles);
 /// \param curvatures the turning angles divided by the dual lengths, one per vertex
 double bending_energy(const Eigen::VectorXd& curvatures, const internal::Polygon_lengths& lengths);
 
-namespace internal {
-
-/// \brief Normalized coordinates of curve flows: `Normalized_frame` in the plane, which makes
-/// results independent of the unit of length and of a distant origin.
-class Curve_frame {
- public:
-  /// \pre `points` is not empty and finite
-  explicit Curve_frame(const Plane_points& points) : m_frame(in_space(points)) {}
-
-  /// The unit of the frame in units of the curve, a power of two
-  double unit() const { return m_frame.unit(); }
-
-  Plane_points to_frame(const Plane_points& points) const;
-
-  /// Transforms points from the frame to the curve, in the memory of `result`
-  void from_frame(const Plane_points& points, Plane_points& result) const;
-
- private:
-  static Points in_space(const Plane_points& points);
-
-  Normalized_frame m_frame;
-};
-
-}  // namespace internal
-
 /// An edge is rejected if it is shorter than this fraction of the whole polygon, because its
 /// direction is then determined by the rounding of the coordinates
 constexpr double relative_length_tolerance = 1e-14;
@@ -121,45 +170,6 @@ constexpr double half_turn_tolerance = 1e-10;
 /// \throw Precondition_error naming `function` and the first point that breaks a rule
 void require_polygon(const internal::Plane_points& points, bool is_closed,
                      const std::string& function);
-
-namespace internal {
-
-/// \brief The functions 1, f^x, f^y on the vertices of a curve f, orthogonalized: a change of
-/// curvature that is orthogonal to them keeps the curve closed, to first order [CGP 4.2].
-///
-/// They are 1 and the coordinates along the principal axes of the curve, so they depend neither on
-/// its position nor on its first vertex. O(m).
-class Closing_functions {
- public:
-  /// \param points 2 x m \param weights of the inner product: the dual lengths, m positive numbers
-  Closing_functions(const Plane_points& points, const Eigen::VectorXd& weights);
-
-  /// Returns the three functions at a point
-  Eigen::Vector3d values(const Eigen::Vector2d& point) const;
-
-  /// Returns the linear combination of the three functions that has these inner products with them
-  Eigen::Vector3d combination(const Eigen::Vector3d& products) const;
-
- private:
-  Eigen::Vector2d m_mean, m_axis;
-  Eigen::Vector3d m_norms;  // squared
-};
-
-/// \brief A compensated running sum of vectors of the plane, accurate to one rounding.
-///
-/// The vertices of a polygon are such sums of its edges. Without compensation, their rounding
-/// errors grow with the number of edges, and accumulate in the edge that closes the polygon.
-class Compensated_sum {
- public:
-  void add(const Eigen::Vector2d& x);
-
-  Eigen::Vector2d value() const { return m_sum + m_lost; }
-
- private:
-  Eigen::Vector2d m_sum = Eigen::Vector2d::Zero(), m_lost = Eigen::Vector2d::Zero();
-};
-
-}  // namespace internal
 
 /// \ingroup PkgCurves
 /// \brief Computes the polygon whose edges are closest to given ones: it minimizes
@@ -191,29 +201,6 @@ Eigen::Vector2d integrate_tangents(const internal::Plane_points& tangents,
 void integrate_curvature(const Eigen::VectorXd& curvatures,
                          const internal::Polygon_lengths& lengths, double angle,
                          internal::Plane_points& tangents);
-
-namespace internal {
-
-/// Result of closing a polygon
-struct Closing_result {
-  double first_gap = 0;  ///< between its ends before, relative to its length
-  double gap = 0;        ///< likewise, afterwards
-  int iterations = 0;    ///< of Newton's method
-  bool is_closed = false;
-};
-
-/// Returns the gap of the edges, and computes the vertices; the last edge ends at the first vertex,
-/// as required by the derivative of the gap.
-Eigen::Vector2d end_to_end(const Plane_points& tangents, Plane_points& points);
-
-/// One step of Newton's method: changes the curvature by a combination of the functions at the
-/// vertices of `shape`, such that to first order the gap is closed and the total turning is
-/// `turning`.
-void correct_curvatures(const Eigen::Vector2d& gap, double turning, const Plane_points& points,
-                        const Closing_functions& functions, const Plane_points& shape,
-                        const Polygon_lengths& lengths, Eigen::VectorXd& curvatures);
-
-}  // namespace internal
 
 /// \ingroup PkgCurves
 /// \brief Changes curvatures by a combination of 1, f^x and f^y such that the polygon with given

@@ -13,7 +13,6 @@
 #include <utility>
 
 namespace Conformal_geometry_processing {
-
 namespace internal {
 
 constexpr double least_share_of_relaxation = .125;
@@ -26,6 +25,16 @@ inline std::vector<int> held_vertices(const Fairing_patch& patch)
     if (!patch.is_free(v)) held.push_back(v);
   return held;
 }
+
+// The weight of the constraints against K. The class is reached by steps with one factor, each of
+// which leaves about 1 / weight of the residuals; a larger one costs digits.
+constexpr double relative_class_weight = 5e7;
+constexpr double class_scale_weight = 1e-6;  // of |du|^2, so that the matrix is definite
+// Of the logarithms of lengths: what is aimed at, and what is enough for a step, for errors of
+// steps do not add up. On isothermic surfaces, such as spheres, the last digits converge slowly.
+constexpr double class_residual = 2.5e-11, largest_class_residual = 1e-7, slow = .9;
+constexpr int most_steps_to_class = 20;
+constexpr double least_step = 1e-4;
 
 }  // namespace internal
 
@@ -162,20 +171,6 @@ internal::Fairing_step internal::Outline_fairing::descend_from(const Points& rel
   }
   return next;
 }
-
-namespace internal {
-
-// The weight of the constraints against K. The class is reached by steps with one factor, each of
-// which leaves about 1 / weight of the residuals; a larger one costs digits.
-constexpr double relative_class_weight = 5e7;
-constexpr double class_scale_weight = 1e-6;  // of |du|^2, so that the matrix is definite
-// Of the logarithms of lengths: what is aimed at, and what is enough for a step, for errors of
-// steps do not add up. On isothermic surfaces, such as spheres, the last digits converge slowly.
-constexpr double class_residual = 2.5e-11, largest_class_residual = 1e-7, slow = .9;
-constexpr int most_steps_to_class = 20;
-constexpr double least_step = 1e-4;
-
-}  // namespace internal
 
 internal::Class_fairing::Class_fairing(const Fairing_patch& patch)
     : m_patch(patch),

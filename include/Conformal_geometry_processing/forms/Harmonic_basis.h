@@ -45,6 +45,18 @@ Eigen::Vector3d along_edges(const Sheet& sheet, const Eigen::MatrixBase<Derived>
   return values;
 }
 
+/// \brief Subtracts d0 u with L u = d0^T w omega from 1-forms omega; the result is co-closed.
+/// \param laplacian solves with L of the surface
+/// \returns u, |V| x their number
+Eigen::MatrixXd remove_exact_parts(const Surface_ref& surface, const Eigen::VectorXd& w,
+                                   const Grounded_solver& laplacian, Eigen::MatrixXd& forms);
+
+/// Replaces closed forms by orthonormal ones with the same span. Uses their fields, whose inner
+/// products are positive definite despite rounding, unlike sums with negative cotan weights.
+/// \returns T, such that the new forms are the old ones times T
+/// \throw Precondition_error if they are linearly dependent, or a number is not finite
+Eigen::MatrixXd orthonormalize_forms(const Surface_ref& surface, Eigen::MatrixXd& forms);
+
 }  // namespace internal
 
 /// \ingroup PkgForms
@@ -84,19 +96,4 @@ struct Harmonic_basis {
   int genus() const { return size() / 2; }  ///< of closed surfaces
 };
 
-namespace internal {
-
-/// \brief Subtracts d0 u with L u = d0^T w omega from 1-forms omega; the result is co-closed.
-/// \param laplacian solves with L of the surface
-/// \returns u, |V| x their number
-Eigen::MatrixXd remove_exact_parts(const Surface_ref& surface, const Eigen::VectorXd& w,
-                                   const Grounded_solver& laplacian, Eigen::MatrixXd& forms);
-
-/// Replaces closed forms by orthonormal ones with the same span. Uses their fields, whose inner
-/// products are positive definite despite rounding, unlike sums with negative cotan weights.
-/// \returns T, such that the new forms are the old ones times T
-/// \throw Precondition_error if they are linearly dependent, or a number is not finite
-Eigen::MatrixXd orthonormalize_forms(const Surface_ref& surface, Eigen::MatrixXd& forms);
-
-}  // namespace internal
 }  // namespace Conformal_geometry_processing

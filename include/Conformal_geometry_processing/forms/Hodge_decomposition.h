@@ -17,7 +17,6 @@
 #include <utility>
 
 namespace Conformal_geometry_processing {
-
 namespace internal {
 
 /// \brief products with the forms of a `Harmonic_basis`, written as G T - d0 u with closed
@@ -64,10 +63,6 @@ class Harmonic_part {
   Eigen::MatrixXd m_combinations;            // T
   Eigen::MatrixXd m_potentials;              // u
 };
-
-}  // namespace internal
-
-namespace internal {
 
 /// the parts of k 1-forms: they sum up to the forms and are pairwise orthogonal
 struct Hodge_parts {

@@ -53,6 +53,16 @@ Conformality measured_conformality(const Mesh_view& mesh, const Points& position
   return c;
 }
 
+void print_conformality(std::ostream& out, const Conformality& c)
+{
+  out << "quasi-conformal error  " << c.quasi_conformal.mean << " mean, " << c.quasi_conformal.p99
+      << " for 99 %, " << c.quasi_conformal.max << " at most (1 is conformal)\n"
+      << "length cross-ratios    changed by " << c.length_cross_ratio.rms << " rms, "
+      << c.length_cross_ratio.max << " at most (0 is conformal)\n"
+      << "lengths                scaled by " << c.scale.min_scale << " to " << c.scale.max_scale
+      << "\nflipped faces          " << c.flipped_faces << '\n';
+}
+
 }  // namespace internal
 
 Conformality conformality(const Mesh_view& mesh, const Points& positions,
@@ -67,17 +77,4 @@ Conformality conformality(const Mesh_view& mesh, const Points& positions,
                                          expected_normals / expected_normals.cwiseAbs().maxCoeff());
 }
 
-namespace internal {
-
-void print_conformality(std::ostream& out, const Conformality& c)
-{
-  out << "quasi-conformal error  " << c.quasi_conformal.mean << " mean, " << c.quasi_conformal.p99
-      << " for 99 %, " << c.quasi_conformal.max << " at most (1 is conformal)\n"
-      << "length cross-ratios    changed by " << c.length_cross_ratio.rms << " rms, "
-      << c.length_cross_ratio.max << " at most (0 is conformal)\n"
-      << "lengths                scaled by " << c.scale.min_scale << " to " << c.scale.max_scale
-      << "\nflipped faces          " << c.flipped_faces << '\n';
-}
-
-}  // namespace internal
 }  // namespace Conformal_geometry_processing

@@ -48,20 +48,6 @@ double weighted_quantile(const Eigen::VectorXd& values, const Eigen::VectorXd& w
   return high;
 }
 
-}  // namespace internal
-
-internal::Distribution distribution(const Eigen::VectorXd& values, const Eigen::VectorXd& weights,
-                                    const internal::Surface_part& part)
-{
-  const Eigen::Vector3d sums = part.sum(
-      Eigen::Vector3d(values.dot(weights), weights.sum(), static_cast<double>(values.size())));
-  if (sums[2] == 0) return {};
-  return {sums[0] / sums[1], internal::weighted_quantile(values, weights, 0.99, part),
-          part.largest(values)};
-}
-
-namespace internal {
-
 /// the weight in each of the intervals of `histogram()`
 Eigen::VectorXd weights_of_bins(const Eigen::VectorXd& values, const Eigen::VectorXd& weights,
                                 int bins, double low, double high)
@@ -73,16 +59,6 @@ Eigen::VectorXd weights_of_bins(const Eigen::VectorXd& values, const Eigen::Vect
   }
   return sums;
 }
-
-}  // namespace internal
-
-Eigen::VectorXd histogram(const Eigen::VectorXd& values, const Eigen::VectorXd& weights, int bins,
-                          double low, double high)
-{
-  return internal::weights_of_bins(values, weights, bins, low, high) / weights.sum();
-}
-
-namespace internal {
 
 /// a triangle laid out in the plane, at (0, 0), (length, 0) and (x, y), y >= 0
 struct Flat_triangle {
@@ -132,6 +108,22 @@ Eigen::VectorXd Face_maps::length_scales() const
 }
 
 }  // namespace internal
+
+internal::Distribution distribution(const Eigen::VectorXd& values, const Eigen::VectorXd& weights,
+                                    const internal::Surface_part& part)
+{
+  const Eigen::Vector3d sums = part.sum(
+      Eigen::Vector3d(values.dot(weights), weights.sum(), static_cast<double>(values.size())));
+  if (sums[2] == 0) return {};
+  return {sums[0] / sums[1], internal::weighted_quantile(values, weights, 0.99, part),
+          part.largest(values)};
+}
+
+Eigen::VectorXd histogram(const Eigen::VectorXd& values, const Eigen::VectorXd& weights, int bins,
+                          double low, double high)
+{
+  return internal::weights_of_bins(values, weights, bins, low, high) / weights.sum();
+}
 
 Eigen::VectorXd quasi_conformal_errors(const Mesh_view& mesh, const Points& positions)
 {

@@ -21,21 +21,6 @@ struct Distribution {
 double weighted_quantile(const Eigen::VectorXd& values, const Eigen::VectorXd& weights,
                          double share, const Surface_part& part = {});
 
-}  // namespace internal
-
-/// \ingroup PkgMeasure
-/// Returns statistics of values with positive weights, usually areas
-internal::Distribution distribution(const Eigen::VectorXd& values, const Eigen::VectorXd& weights,
-                                    const internal::Surface_part& part = {});
-
-/// \ingroup PkgMeasure
-/// Returns the share of the weight in each of `bins` intervals of equal width from `low` to `high`;
-/// values outside are assigned to the first or the last one, NaN to the first
-Eigen::VectorXd histogram(const Eigen::VectorXd& values, const Eigen::VectorXd& weights, int bins,
-                          double low, double high);
-
-namespace internal {
-
 /// \brief the linear maps of the faces to their images, measured in one pass.
 struct Face_maps {
   Eigen::VectorXd quasi_conformal;   ///< `quasi_conformal_errors()`
@@ -48,6 +33,17 @@ struct Face_maps {
 };
 
 }  // namespace internal
+
+/// \ingroup PkgMeasure
+/// Returns statistics of values with positive weights, usually areas
+internal::Distribution distribution(const Eigen::VectorXd& values, const Eigen::VectorXd& weights,
+                                    const internal::Surface_part& part = {});
+
+/// \ingroup PkgMeasure
+/// Returns the share of the weight in each of `bins` intervals of equal width from `low` to `high`;
+/// values outside are assigned to the first or the last one, NaN to the first
+Eigen::VectorXd histogram(const Eigen::VectorXd& values, const Eigen::VectorXd& weights, int bins,
+                          double low, double high);
 
 /// \ingroup PkgMeasure
 /// \brief Returns Q >= 1 for each face: the ratio of the singular values of the linear map between
@@ -87,6 +83,12 @@ struct Area_distortion {
 
 Area_distortion area_distortion(const Face_maps& maps, const Surface_part& part = {});
 
+/// Deviation of a map from discrete conformality; zero for Moebius transformations
+struct Length_cross_ratio_change {
+  double rms = 0;  ///< over the interior edges
+  double max = 0;  ///< absolute
+};
+
 }  // namespace internal
 
 /// \ingroup PkgMeasure
@@ -100,16 +102,6 @@ internal::Area_distortion area_distortion(const Mesh_view& mesh, const Points& p
 /// Two meshes of the same connectivity are discretely conformally equivalent if and only if their
 /// length cross-ratios agree; Moebius transformations of the vertices preserve them.
 Eigen::VectorXd log_length_cross_ratios(const Mesh_view& mesh, const Points& positions);
-
-namespace internal {
-
-/// Deviation of a map from discrete conformality; zero for Moebius transformations
-struct Length_cross_ratio_change {
-  double rms = 0;  ///< over the interior edges
-  double max = 0;  ///< absolute
-};
-
-}  // namespace internal
 
 /// \ingroup PkgMeasure
 /// Returns the change of the log length cross-ratios from the mesh to the new positions, 3 x |V|

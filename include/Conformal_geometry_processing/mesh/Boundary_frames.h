@@ -34,6 +34,16 @@ struct Boundary_frames {
   Eigen::Vector3d binormal(std::size_t k) const { return frames[k].col(2); }
 };
 
+/// \brief the closed curves of edges that marked vertices form, each with its vertices in order.
+///
+/// A curve begins at its vertex of smallest number. O(|V| + |E|).
+/// \param is_marked |V|
+/// \param name of a vertex in errors
+/// \throw Precondition_error if a marked vertex has more or fewer than two marked neighbours
+std::vector<std::vector<int>> closed_curves(
+    const Mesh_view& mesh, const std::vector<char>& is_marked, const std::string& function,
+    const std::function<std::string(int)>& name = name_of_vertex);
+
 }  // namespace internal
 
 /// \ingroup PkgMesh
@@ -60,17 +70,4 @@ internal::Boundary_frames frames_along(const Surface_ref& surface,
 /// \pre `require_surface(mesh)` holds
 internal::Boundary_frames boundary_frames(const Surface_ref& surface);
 
-namespace internal {
-
-/// \brief the closed curves of edges that marked vertices form, each with its vertices in order.
-///
-/// A curve begins at its vertex of smallest number. O(|V| + |E|).
-/// \param is_marked |V|
-/// \param name of a vertex in errors
-/// \throw Precondition_error if a marked vertex has more or fewer than two marked neighbours
-std::vector<std::vector<int>> closed_curves(
-    const Mesh_view& mesh, const std::vector<char>& is_marked, const std::string& function,
-    const std::function<std::string(int)>& name = name_of_vertex);
-
-}  // namespace internal
 }  // namespace Conformal_geometry_processing

@@ -167,45 +167,6 @@ inline bool has_area_when_flipped(const Mesh_view& mesh, const Intrinsic_triangu
   return true;
 }
 
-}  // namespace internal
-
-Mesh_view internal::simple_delaunay(const Mesh_view& mesh, double mollification,
-                                    std::vector<std::array<int, 2>>* flips)
-{
-  Intrinsic_triangulation triangles(mesh, mollification > 0
-                                              ? mollified_lengths(mesh, mollification).lengths
-                                              : edge_lengths(mesh));
-  Joined_vertices joined(mesh);
-  const auto may_flip = [&](int h) {
-    const int k = triangles.apex(h), l = triangles.apex(triangles.twin(h));
-    return k != l && !joined.contain(k, l) && has_area_when_flipped(mesh, triangles, h);
-  };
-  const auto flipped = [&](int h) {
-    if (flips) flips->push_back({triangles.from(h), triangles.to(h)});
-    joined.flip(triangles, h);
-  };
-  if (flip_to_delaunay(triangles, may_flip, flipped) == 0) return mesh;
-  Mesh_view::Corners corners(static_cast<std::size_t>(mesh.size_of_faces()));
-  for (int f = 0; f < mesh.size_of_faces(); ++f)
-    corners[static_cast<std::size_t>(f)] = {triangles.apex(3 * f), triangles.apex(3 * f + 1),
-                                            triangles.apex(3 * f + 2)};
-  return {mesh.positions(), std::move(corners)};
-}
-
-Mesh_view internal::delaunay_by_chords(Mesh_view mesh, double mollification,
-                                       std::vector<std::array<int, 2>>& flips)
-{
-  const int most_rounds = 20;
-  for (int round = 0; round < most_rounds; ++round) {
-    const std::size_t before = flips.size();
-    mesh = simple_delaunay(mesh, mollification, &flips);
-    if (flips.size() == before) break;
-  }
-  return mesh;
-}
-
-namespace internal {
-
 /// the vertices opposite to long edges of thin faces: the tip of a cap, both ends of a needle
 inline std::set<int> tips_of_thin_faces(const Mesh_view& mesh, double share)
 {
@@ -252,6 +213,41 @@ struct Vertex_surroundings {
 };
 
 }  // namespace internal
+
+Mesh_view internal::simple_delaunay(const Mesh_view& mesh, double mollification,
+                                    std::vector<std::array<int, 2>>* flips)
+{
+  Intrinsic_triangulation triangles(mesh, mollification > 0
+                                              ? mollified_lengths(mesh, mollification).lengths
+                                              : edge_lengths(mesh));
+  Joined_vertices joined(mesh);
+  const auto may_flip = [&](int h) {
+    const int k = triangles.apex(h), l = triangles.apex(triangles.twin(h));
+    return k != l && !joined.contain(k, l) && has_area_when_flipped(mesh, triangles, h);
+  };
+  const auto flipped = [&](int h) {
+    if (flips) flips->push_back({triangles.from(h), triangles.to(h)});
+    joined.flip(triangles, h);
+  };
+  if (flip_to_delaunay(triangles, may_flip, flipped) == 0) return mesh;
+  Mesh_view::Corners corners(static_cast<std::size_t>(mesh.size_of_faces()));
+  for (int f = 0; f < mesh.size_of_faces(); ++f)
+    corners[static_cast<std::size_t>(f)] = {triangles.apex(3 * f), triangles.apex(3 * f + 1),
+                                            triangles.apex(3 * f + 2)};
+  return {mesh.positions(), std::move(corners)};
+}
+
+Mesh_view internal::delaunay_by_chords(Mesh_view mesh, double mollification,
+                                       std::vector<std::array<int, 2>>& flips)
+{
+  const int most_rounds = 20;
+  for (int round = 0; round < most_rounds; ++round) {
+    const std::size_t before = flips.size();
+    mesh = simple_delaunay(mesh, mollification, &flips);
+    if (flips.size() == before) break;
+  }
+  return mesh;
+}
 
 Mesh_view internal::with_opened_faces(const Mesh_view& mesh, double share)
 {

@@ -25,22 +25,6 @@ struct Mollified_lengths {
   int thin_faces = 0;       ///< number of faces that violated the triangle inequality
 };
 
-}  // namespace internal
-
-/// \ingroup PkgMesh
-/// \brief Mollifies the edge lengths: adds the smallest constant to all of them such that in every
-/// triangle the longest edge is shorter than the sum of the two others by at least `share` times
-/// the mean length [Sharp and Crane 2020, 4.5].
-///
-/// Then no triangle is degenerate, even if points are collinear or coincide. The lengths of a mesh
-/// without degenerate triangles are unchanged to the bit. A triangle of three collinear points gets
-/// a height of about the square root of `share` times its length, two coinciding points a distance
-/// of `share`.
-/// \param share positive; below about 1e-12, rounding determines the shape of triangles
-internal::Mollified_lengths mollified_lengths(const Mesh_view& mesh, double share);
-
-namespace internal {
-
 /// \brief A triangulation given by edge lengths only, with intrinsic edge flips [Fisher et al.
 /// 2007; Bobenko and Springborn 2007].
 ///
@@ -98,7 +82,49 @@ class Intrinsic_triangulation {
   std::vector<double> m_lengths;        // 3 |F|, the same for both halfedges of an edge
 };
 
+/// \brief The mesh with the connectivity of its intrinsic Delaunay triangulation, as a mesh whose
+/// edges are chords: its faces are well shaped where those of the input are slivers.
+///
+/// Flips that would join two vertices twice are left out, so every edge is determined by its ends,
+/// and so are those that would give a face without area. The vertices, their numbers and the
+/// boundary stay. A mesh that is Delaunay already is returned unchanged.
+/// \param mesh an oriented manifold with or without boundary
+/// \param mollification of the lengths by which edges are flipped, see `mollified_lengths()`; zero:
+/// none, and no edge has length zero
+/// \param flips receives the ends that each flipped edge had, in their order
+Mesh_view simple_delaunay(const Mesh_view& mesh, double mollification = 0,
+                          std::vector<std::array<int, 2>>* flips = nullptr);
+
+/// \brief Likewise, Delaunay by its own edges: chords are shorter than what they stand for in the
+/// intrinsic triangulation, so it is flipped again until nothing changes (mostly two or three
+/// times).
+Mesh_view delaunay_by_chords(Mesh_view mesh, double mollification,
+                             std::vector<std::array<int, 2>>& flips);
+
+/// \brief The mesh with vertices moved until all faces have an area, for algorithms on chords.
+///
+/// A face is thin if its longest edge is not shorter than the sum of the two others by at least
+/// `share` of it. Its tips, those opposite to long edges, move along the surface, towards the mean
+/// of their neighbours, by the root of `share` of the way: `mollified_lengths()` gives triangles of
+/// three collinear points such a height. All other vertices stay to the bit.
+///
+/// Faces remain thin where whole neighbourhoods lie on a line or in a point.
+/// \param share positive
+Mesh_view with_opened_faces(const Mesh_view& mesh, double share);
+
 }  // namespace internal
+
+/// \ingroup PkgMesh
+/// \brief Mollifies the edge lengths: adds the smallest constant to all of them such that in every
+/// triangle the longest edge is shorter than the sum of the two others by at least `share` times
+/// the mean length [Sharp and Crane 2020, 4.5].
+///
+/// Then no triangle is degenerate, even if points are collinear or coincide. The lengths of a mesh
+/// without degenerate triangles are unchanged to the bit. A triangle of three collinear points gets
+/// a height of about the square root of `share` times its length, two coinciding points a distance
+/// of `share`.
+/// \param share positive; below about 1e-12, rounding determines the shape of triangles
+internal::Mollified_lengths mollified_lengths(const Mesh_view& mesh, double share);
 
 /// \ingroup PkgMesh
 /// \brief Returns whether the sum of the angles opposite the edge of h is at most pi, so that its
@@ -148,39 +174,5 @@ int flip_to_delaunay(internal::Intrinsic_triangulation& triangles, BeforeFlip be
 /// \ingroup PkgMesh
 /// Flips edges likewise, without a callback
 int flip_to_delaunay(internal::Intrinsic_triangulation& triangles);
-
-namespace internal {
-
-/// \brief The mesh with the connectivity of its intrinsic Delaunay triangulation, as a mesh whose
-/// edges are chords: its faces are well shaped where those of the input are slivers.
-///
-/// Flips that would join two vertices twice are left out, so every edge is determined by its ends,
-/// and so are those that would give a face without area. The vertices, their numbers and the
-/// boundary stay. A mesh that is Delaunay already is returned unchanged.
-/// \param mesh an oriented manifold with or without boundary
-/// \param mollification of the lengths by which edges are flipped, see `mollified_lengths()`; zero:
-/// none, and no edge has length zero
-/// \param flips receives the ends that each flipped edge had, in their order
-Mesh_view simple_delaunay(const Mesh_view& mesh, double mollification = 0,
-                          std::vector<std::array<int, 2>>* flips = nullptr);
-
-/// \brief Likewise, Delaunay by its own edges: chords are shorter than what they stand for in the
-/// intrinsic triangulation, so it is flipped again until nothing changes (mostly two or three
-/// times).
-Mesh_view delaunay_by_chords(Mesh_view mesh, double mollification,
-                             std::vector<std::array<int, 2>>& flips);
-
-/// \brief The mesh with vertices moved until all faces have an area, for algorithms on chords.
-///
-/// A face is thin if its longest edge is not shorter than the sum of the two others by at least
-/// `share` of it. Its tips, those opposite to long edges, move along the surface, towards the mean
-/// of their neighbours, by the root of `share` of the way: `mollified_lengths()` gives triangles of
-/// three collinear points such a height. All other vertices stay to the bit.
-///
-/// Faces remain thin where whole neighbourhoods lie on a line or in a point.
-/// \param share positive
-Mesh_view with_opened_faces(const Mesh_view& mesh, double share);
-
-}  // namespace internal
 
 }  // namespace Conformal_geometry_processing

@@ -10,7 +10,6 @@
 #include <vector>
 
 namespace Conformal_geometry_processing {
-
 namespace internal {
 
 /// \brief A part of a mesh, such as a connected component, as a separate mesh.
@@ -22,15 +21,6 @@ struct Mesh_component {
   Mesh_view mesh;
   std::vector<int> vertices, faces;  ///< their indices in the whole mesh
 };
-
-}  // namespace internal
-
-/// \ingroup PkgMesh
-/// Returns the components in the order of their first vertices; an isolated vertex is a component,
-/// too. O(|V| + |E| + |F|)
-std::vector<internal::Mesh_component> mesh_components(const Mesh_view& mesh);
-
-namespace internal {
 
 /// Returns the faces with a nonzero entry, and their vertices. O(|V| + |F|)
 /// \param is_selected |F|
@@ -131,10 +121,6 @@ struct [[nodiscard]] Component_reports {
   }
 };
 
-}  // namespace internal
-
-namespace internal {
-
 /// \brief the part with its vertices along the Morton curve of their positions, and its faces
 /// sorted by their corners, the least of which is the first: what is near on the surface is near in
 /// memory.
@@ -146,5 +132,10 @@ namespace internal {
 Mesh_component in_morton_order(const Mesh_component& part);
 
 }  // namespace internal
+
+/// \ingroup PkgMesh
+/// Returns the components in the order of their first vertices; an isolated vertex is a component,
+/// too. O(|V| + |E| + |F|)
+std::vector<internal::Mesh_component> mesh_components(const Mesh_view& mesh);
 
 }  // namespace Conformal_geometry_processing

@@ -142,6 +142,26 @@ inline void refuse(const Defect& defect, const Mesh_view& mesh, const std::strin
                                            advice);
 }
 
+/// The relative height of a face: height over longest edge
+struct Face_height {
+  double relative, twice_area;
+  int face;
+
+  bool operator<(const Face_height& other) const
+  {
+    return std::pair(relative, face) < std::pair(other.relative, other.face);
+  }
+};
+
+Face_height face_height(const Mesh_view& mesh, int f)
+{
+  const double twice_area = mesh.double_area_vector(f).norm();
+  double longest = 0;  // squared
+  for (int h = 3 * f; h < 3 * f + 3; ++h)
+    longest = (std::max)(longest, mesh.vector(h).squaredNorm());
+  return {longest > 0 ? twice_area / longest : 0, twice_area, f};
+}
+
 }  // namespace internal
 
 void require_not_empty(const Mesh_view& mesh, const std::string& function)
@@ -256,30 +276,6 @@ void require_surface(const Mesh_view& mesh, const std::string& function)
   require_manifold(mesh, function);
   require_positive_areas(mesh, function);
 }
-
-namespace internal {
-
-/// The relative height of a face: height over longest edge
-struct Face_height {
-  double relative, twice_area;
-  int face;
-
-  bool operator<(const Face_height& other) const
-  {
-    return std::pair(relative, face) < std::pair(other.relative, other.face);
-  }
-};
-
-Face_height face_height(const Mesh_view& mesh, int f)
-{
-  const double twice_area = mesh.double_area_vector(f).norm();
-  double longest = 0;  // squared
-  for (int h = 3 * f; h < 3 * f + 3; ++h)
-    longest = (std::max)(longest, mesh.vector(h).squaredNorm());
-  return {longest > 0 ? twice_area / longest : 0, twice_area, f};
-}
-
-}  // namespace internal
 
 internal::Well_shaped_faces well_shaped_faces(const Mesh_view& mesh)
 {

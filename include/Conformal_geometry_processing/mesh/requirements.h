@@ -98,6 +98,12 @@ void refuse_if_any(int n, Is_bad is_bad, Name_of name_of, const std::string& fun
 
 std::string name_of_vertex(int v);
 
+/// A mesh without its thinnest faces
+struct Well_shaped_faces {
+  Mesh_view mesh;    ///< all vertices, and the remaining faces
+  double share = 0;  ///< of the remaining faces in the area of the mesh
+};
+
 }  // namespace internal
 
 /// Requires at least one face
@@ -148,16 +154,6 @@ void require_manifold(const Mesh_view& mesh, const std::string& function);
 
 /// Requirements of most algorithms: `require_manifold()`, and no faces of area zero
 void require_surface(const Mesh_view& mesh, const std::string& function);
-
-namespace internal {
-
-/// A mesh without its thinnest faces
-struct Well_shaped_faces {
-  Mesh_view mesh;    ///< all vertices, and the remaining faces
-  double share = 0;  ///< of the remaining faces in the area of the mesh
-};
-
-}  // namespace internal
 
 /// \ingroup PkgMesh
 /// \brief Removes the thinnest faces, needles and caps of three degrees or less, but no more than

@@ -141,45 +141,6 @@ Quotient_terms quotient_terms(const Surface_ref& surface, const Curvature_potent
   });
 }
 
-}  // namespace internal
-
-double dirac_quotient(const Surface_ref& surface, const Curvature_potential& rho,
-                      const Quaternion_vector<double>& lambda)
-{
-  const auto terms = internal::quotient_terms(surface, rho, lambda);
-  return (terms.dirac - terms.potential) / terms.mass;
-}
-
-double potential_quotient(const Surface_ref& surface, const Curvature_potential& rho,
-                          const Quaternion_vector<double>& lambda)
-{
-  const auto terms = internal::quotient_terms(surface, rho, lambda);
-  return terms.potential / terms.mass;
-}
-
-double dirac_misfit(const Surface_ref& surface, const Curvature_potential& rho,
-                    const Quaternion_vector<double>& lambda, const internal::Surface_part& part)
-{
-  using Terms = Eigen::Array2d;  // energy and mass
-  const Terms own = internal::sum_over_sheets(
-      surface, Terms(Terms::Zero()),
-      [&](const Sheet& sheet, Terms& terms) {
-        const Eigen::Vector3d r = rho.at_corners(sheet);
-        Quaternion<double> image;
-        for (int c = 0; c < 3; ++c) {
-          const auto& l = lambda[sheet.corners[static_cast<std::size_t>(c)]];
-          image += internal::dirac_row(sheet, r, c) * l;
-          terms[1] += sheet.share * sheet.area / 3 * squared_norm(l);
-        }
-        terms[0] += sheet.share * squared_norm(image) / sheet.area;
-      },
-      part);
-  const Eigen::VectorXd sum = part.sum(own.matrix());
-  return std::sqrt(sum[0] / sum[1]);
-}
-
-namespace internal {
-
 /// the rows of M (D - R) on a sheet, divided by its share
 std::array<Quaternion<double>, 3> dirac_rows(const Sheet& sheet, const Curvature_potential& rho)
 {
@@ -273,4 +234,40 @@ Eigen::VectorXd form_gradient(const Surface_ref& surface, Curvature_potential::O
 }
 
 }  // namespace internal
+
+double dirac_quotient(const Surface_ref& surface, const Curvature_potential& rho,
+                      const Quaternion_vector<double>& lambda)
+{
+  const auto terms = internal::quotient_terms(surface, rho, lambda);
+  return (terms.dirac - terms.potential) / terms.mass;
+}
+
+double potential_quotient(const Surface_ref& surface, const Curvature_potential& rho,
+                          const Quaternion_vector<double>& lambda)
+{
+  const auto terms = internal::quotient_terms(surface, rho, lambda);
+  return terms.potential / terms.mass;
+}
+
+double dirac_misfit(const Surface_ref& surface, const Curvature_potential& rho,
+                    const Quaternion_vector<double>& lambda, const internal::Surface_part& part)
+{
+  using Terms = Eigen::Array2d;  // energy and mass
+  const Terms own = internal::sum_over_sheets(
+      surface, Terms(Terms::Zero()),
+      [&](const Sheet& sheet, Terms& terms) {
+        const Eigen::Vector3d r = rho.at_corners(sheet);
+        Quaternion<double> image;
+        for (int c = 0; c < 3; ++c) {
+          const auto& l = lambda[sheet.corners[static_cast<std::size_t>(c)]];
+          image += internal::dirac_row(sheet, r, c) * l;
+          terms[1] += sheet.share * sheet.area / 3 * squared_norm(l);
+        }
+        terms[0] += sheet.share * squared_norm(image) / sheet.area;
+      },
+      part);
+  const Eigen::VectorXd sum = part.sum(own.matrix());
+  return std::sqrt(sum[0] / sum[1]);
+}
+
 }  // namespace Conformal_geometry_processing

@@ -59,6 +59,31 @@ inline Quaternion<double> dirac_row(const Sheet& sheet, const Eigen::Vector3d& r
   return {-sheet.area * r[c] / 3, e[0] / -2, e[1] / -2, e[2] / -2};
 }
 
+/// the index of the value of rho at a corner
+inline int potential_index(const Sheet& sheet, Curvature_potential::On on, std::size_t c)
+{
+  return on == Curvature_potential::On::vertices ? sheet.corners[c] : sheet.face;
+}
+
+/// \brief minus the derivative of X lambda for changes d of rho: (E^H M A + A^H M E) lambda with
+/// A = D - R and E the matrix that multiplies by d and averages on faces; |V| x k. O(k sheets).
+/// \param rho at which X is differentiated, in 1/length
+/// \param changes |V| or |F| x k, where rho is
+Block<Quaternion<double>> energy_change(const Surface_ref& surface, const Curvature_potential& rho,
+                                        const Quaternion_vector<double>& lambda,
+                                        const Eigen::MatrixXd& changes);
+
+/// \brief the transpose of `energy_change()`: the gradients of -Re <z, X lambda> with respect to
+/// rho for k columns z; |V| or |F| x k.
+Eigen::MatrixXd energy_gradient(const Surface_ref& surface, const Curvature_potential& rho,
+                                const Quaternion_vector<double>& lambda,
+                                const Block<Quaternion<double>>& z);
+
+/// \brief the gradient of -<lambda, H lambda> with respect to rho, H from `apply_dirac_form()`: the
+/// integral of |B lambda|^2 for each value of rho; |V| or |F|.
+Eigen::VectorXd form_gradient(const Surface_ref& surface, Curvature_potential::On on,
+                              const Quaternion_vector<double>& lambda);
+
 }  // namespace internal
 
 /// \ingroup PkgOperators
@@ -96,32 +121,4 @@ double dirac_misfit(const Surface_ref& surface, const Curvature_potential& rho,
                     const Quaternion_vector<double>& lambda,
                     const internal::Surface_part& part = {});
 
-namespace internal {
-
-/// the index of the value of rho at a corner
-inline int potential_index(const Sheet& sheet, Curvature_potential::On on, std::size_t c)
-{
-  return on == Curvature_potential::On::vertices ? sheet.corners[c] : sheet.face;
-}
-
-/// \brief minus the derivative of X lambda for changes d of rho: (E^H M A + A^H M E) lambda with
-/// A = D - R and E the matrix that multiplies by d and averages on faces; |V| x k. O(k sheets).
-/// \param rho at which X is differentiated, in 1/length
-/// \param changes |V| or |F| x k, where rho is
-Block<Quaternion<double>> energy_change(const Surface_ref& surface, const Curvature_potential& rho,
-                                        const Quaternion_vector<double>& lambda,
-                                        const Eigen::MatrixXd& changes);
-
-/// \brief the transpose of `energy_change()`: the gradients of -Re <z, X lambda> with respect to
-/// rho for k columns z; |V| or |F| x k.
-Eigen::MatrixXd energy_gradient(const Surface_ref& surface, const Curvature_potential& rho,
-                                const Quaternion_vector<double>& lambda,
-                                const Block<Quaternion<double>>& z);
-
-/// \brief the gradient of -<lambda, H lambda> with respect to rho, H from `apply_dirac_form()`: the
-/// integral of |B lambda|^2 for each value of rho; |V| or |F|.
-Eigen::VectorXd form_gradient(const Surface_ref& surface, Curvature_potential::On on,
-                              const Quaternion_vector<double>& lambda);
-
-}  // namespace internal
 }  // namespace Conformal_geometry_processing

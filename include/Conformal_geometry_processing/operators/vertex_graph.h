@@ -10,6 +10,18 @@
 #include <memory>
 
 namespace Conformal_geometry_processing {
+
+/// \ingroup PkgOperators
+/// \brief the pattern of every Hermitian matrix on the vertices of a surface, |V| x |V|: the
+/// diagonal, and one entry for each pair of different vertices that an edge joins.
+std::shared_ptr<const Sparse_pattern> vertex_graph(const Surface_ref& surface);
+
+/// the position of the diagonal entry (i, i) in a `vertex_graph()`
+inline int diagonal_position(const Sparse_pattern& pattern, int i)
+{
+  return pattern.offsets[static_cast<std::size_t>(i)];
+}
+
 namespace internal {
 
 /// first <= i < last
@@ -73,21 +85,6 @@ Sum sum_over_sheets(const Surface_ref& surface, const Sum& zero, const Add& add,
   };
   return sum_of_ranges(part.own_faces(surface.size_of_sheets()), at_once, zero, add_range);
 }
-
-}  // namespace internal
-
-/// \ingroup PkgOperators
-/// \brief the pattern of every Hermitian matrix on the vertices of a surface, |V| x |V|: the
-/// diagonal, and one entry for each pair of different vertices that an edge joins.
-std::shared_ptr<const Sparse_pattern> vertex_graph(const Surface_ref& surface);
-
-/// the position of the diagonal entry (i, i) in a `vertex_graph()`
-inline int diagonal_position(const Sparse_pattern& pattern, int i)
-{
-  return pattern.offsets[static_cast<std::size_t>(i)];
-}
-
-namespace internal {
 
 /// \brief the position of entry (row, column) in a `vertex_graph()`, row > column.
 ///

@@ -125,17 +125,13 @@ struct Parameterization_result {
   Parameterization_report report;
 };
 
+void certify(const Mesh_view& mesh, const Eigen::VectorXcd& z, Parameterization_report& report);
+
 }  // namespace internal
 
 /// \ingroup PkgParameterization
 /// Requires a boundary
 void require_boundary(const Mesh_view& mesh, const std::string& function);
-
-namespace internal {
-
-void certify(const Mesh_view& mesh, const Eigen::VectorXcd& z, Parameterization_report& report);
-
-}  // namespace internal
 
 /// \ingroup PkgParameterization
 /// \brief Variant of `spectral_parameterization()` that normalizes other curves than whole boundary

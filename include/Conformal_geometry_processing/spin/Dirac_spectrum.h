@@ -16,7 +16,6 @@
 #include <vector>
 
 namespace Conformal_geometry_processing {
-
 namespace internal {
 
 /// \brief eigenvectors of A = D - rho - s with their quotients, of a space that contains every
@@ -87,28 +86,6 @@ struct Signed_eigenvectors {
   double reach = 0;
 };
 
-}  // namespace internal
-
-/// \ingroup PkgSpin
-/// \brief separates the eigenvectors of an operator K that its square N has mixed because their
-/// eigenvalues differ by the sign only.
-///
-/// The span of *all* eigenvectors of N with eigenvalues below a bound is invariant under K, and
-/// Rayleigh-Ritz of K in it tells the signs. Of a finite number of vectors, the last ones may be
-/// mixtures with vectors that are missing: their images N^-1 K v leave the span by about |v| /
-/// sqrt(mu), those of all others by the discretisation error. They are left out. Only vectors whose
-/// mu differ by less than a factor of two, or whose coupling <v, K w> is too large for an error of
-/// discretisation, are combined: others are not mixed.
-///
-/// Costs one K and one solution for each vector, and some n^2 products of |V| quaternions and n^3.
-/// \param form K, and N^-1
-/// \param square the eigenpairs of M x = theta N x with the n largest theta > 0
-/// \throw Solver_error if an operator returns values that are not finite
-internal::Signed_eigenvectors signed_eigenvectors(const internal::Pencil& form,
-                                                  const internal::Krylov_result& square);
-
-namespace internal {
-
 /// which eigenvalues of D - rho are computed, and how accurately
 struct Dirac_spectrum_options {
   double shift = 0;         ///< the eigenvalues nearest to it are found; in 1/length
@@ -157,17 +134,6 @@ struct Multiple_eigenvalue {
   double value;  ///< mean of the merged values
   int multiplicity;
 };
-
-}  // namespace internal
-
-/// \ingroup PkgSpin
-/// \brief merges eigenvalues that differ from the next one by less than a given distance;
-/// ascending.
-/// \param resolution more than the discretisation separates multiple eigenvalues by
-std::vector<internal::Multiple_eigenvalue> with_multiplicities(const Eigen::VectorXd& eigenvalues,
-                                                               double resolution);
-
-namespace internal {
 
 /// \brief finds the eigenvalues nearest to a shift s, and eigenfunctions, of D - rho, on closed
 /// surfaces and on surfaces with boundary where D is self-adjoint [CGP 5.8.2].
@@ -243,5 +209,30 @@ class Dirac_spectral_problem {
 };
 
 }  // namespace internal
+
+/// \ingroup PkgSpin
+/// \brief separates the eigenvectors of an operator K that its square N has mixed because their
+/// eigenvalues differ by the sign only.
+///
+/// The span of *all* eigenvectors of N with eigenvalues below a bound is invariant under K, and
+/// Rayleigh-Ritz of K in it tells the signs. Of a finite number of vectors, the last ones may be
+/// mixtures with vectors that are missing: their images N^-1 K v leave the span by about |v| /
+/// sqrt(mu), those of all others by the discretisation error. They are left out. Only vectors whose
+/// mu differ by less than a factor of two, or whose coupling <v, K w> is too large for an error of
+/// discretisation, are combined: others are not mixed.
+///
+/// Costs one K and one solution for each vector, and some n^2 products of |V| quaternions and n^3.
+/// \param form K, and N^-1
+/// \param square the eigenpairs of M x = theta N x with the n largest theta > 0
+/// \throw Solver_error if an operator returns values that are not finite
+internal::Signed_eigenvectors signed_eigenvectors(const internal::Pencil& form,
+                                                  const internal::Krylov_result& square);
+
+/// \ingroup PkgSpin
+/// \brief merges eigenvalues that differ from the next one by less than a given distance;
+/// ascending.
+/// \param resolution more than the discretisation separates multiple eigenvalues by
+std::vector<internal::Multiple_eigenvalue> with_multiplicities(const Eigen::VectorXd& eigenvalues,
+                                                               double resolution);
 
 }  // namespace Conformal_geometry_processing

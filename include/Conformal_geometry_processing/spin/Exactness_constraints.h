@@ -102,6 +102,22 @@ struct Exactness_constraints {
   double period_defect(const Eigen::MatrixX3d& edges) const;
 };
 
+/// \brief the largest period defect of a transformation that counts as closed.
+///
+/// A defect shears the surface by about as much. By default it may be a quarter of the distortion
+/// that the step has anyway, mean Q - 1: that is the discretisation error, O(h) and in proportion
+/// to rho, so that the defect neither stops the convergence under refinement nor costs steps that
+/// no one would notice. Never more than 2 % of the edges, because on bad meshes Q is large, nor
+/// less than .2 %, which shears by less than one sees: maps in the plane have hardly any
+/// distortion.
+struct Period_limit {
+  std::optional<double> maximum;  ///< relative to the edges; see above
+  double tolerance = 0;           ///< of the spins: smaller defects are errors of the solver
+
+  /// \param report of the transformation
+  double operator()(const Spin_report& report) const;
+};
+
 }  // namespace internal
 
 /// \ingroup PkgSpin
@@ -124,25 +140,5 @@ internal::Exactness_constraints exactness_constraints(internal::Dirac_system& sy
                                                       Curvature_potential::On on,
                                                       std::optional<Exactness> version,
                                                       const internal::Harmonic_part* start = {});
-
-namespace internal {
-
-/// \brief the largest period defect of a transformation that counts as closed.
-///
-/// A defect shears the surface by about as much. By default it may be a quarter of the distortion
-/// that the step has anyway, mean Q - 1: that is the discretisation error, O(h) and in proportion
-/// to rho, so that the defect neither stops the convergence under refinement nor costs steps that
-/// no one would notice. Never more than 2 % of the edges, because on bad meshes Q is large, nor
-/// less than .2 %, which shears by less than one sees: maps in the plane have hardly any
-/// distortion.
-struct Period_limit {
-  std::optional<double> maximum;  ///< relative to the edges; see above
-  double tolerance = 0;           ///< of the spins: smaller defects are errors of the solver
-
-  /// \param report of the transformation
-  double operator()(const Spin_report& report) const;
-};
-
-}  // namespace internal
 
 }  // namespace Conformal_geometry_processing

@@ -107,6 +107,19 @@ Curvature_potential corrected(const Mesh_view& mesh, Curvature_potential rho, co
   return best;
 }
 
+/// M_V^-1 B^T M_F B rho: the means of rho on faces, averaged around vertices
+Eigen::VectorXd averaged_over_faces(const Mesh_view& mesh, const Eigen::VectorXd& rho)
+{
+  const Eigen::VectorXd areas = face_areas(mesh);
+  Eigen::VectorXd sums = Eigen::VectorXd::Zero(rho.size());
+  for (int f = 0; f < mesh.size_of_faces(); ++f) {
+    double mean = 0;
+    for (const int v : mesh.corners(f)) mean += rho[v] / 3;
+    for (const int v : mesh.corners(f)) sums[v] += areas[f] * mean / 3;
+  }
+  return sums.cwiseQuotient(vertex_areas(mesh));
+}
+
 }  // namespace internal
 
 Curvature_potential nearest_curvature_difference(const Mesh_view& mesh, const Points& positions,
@@ -127,23 +140,6 @@ Curvature_potential nearest_curvature_difference(const Mesh_view& mesh, const Po
                                options, go_further);
   return curvature_difference(mesh, positions);
 }
-
-namespace internal {
-
-/// M_V^-1 B^T M_F B rho: the means of rho on faces, averaged around vertices
-Eigen::VectorXd averaged_over_faces(const Mesh_view& mesh, const Eigen::VectorXd& rho)
-{
-  const Eigen::VectorXd areas = face_areas(mesh);
-  Eigen::VectorXd sums = Eigen::VectorXd::Zero(rho.size());
-  for (int f = 0; f < mesh.size_of_faces(); ++f) {
-    double mean = 0;
-    for (const int v : mesh.corners(f)) mean += rho[v] / 3;
-    for (const int v : mesh.corners(f)) sums[v] += areas[f] * mean / 3;
-  }
-  return sums.cwiseQuotient(vertex_areas(mesh));
-}
-
-}  // namespace internal
 
 Curvature_potential curvature_of_displacement(const Mesh_view& mesh, const Eigen::VectorXd& height)
 {

@@ -168,10 +168,6 @@ Dirac_forms forms_in_space(const Dirac_system& system, const Curvature_potential
   return forms;
 }
 
-}  // namespace internal
-
-namespace internal {
-
 void require_generalized(const Dirac_system& system, const Curvature_potential& rho)
 {
   if (!system.is_closed())

@@ -67,6 +67,12 @@ bool changes_sign(const Mesh_view& mesh, const Mesh_view& deformed,
   return has_changed;
 }
 
+bool is_thin(const Mesh_view& mesh, int f)
+{
+  const Eigen::Matrix3d e = mesh.sheet(f).vectors;
+  return !(mesh.double_area_vector(f).norm() > 1e-3 * e.colwise().squaredNorm().maxCoeff());
+}
+
 }  // namespace internal
 
 void require_same_spin_structure(const Mesh_view& mesh, const Points& positions,
@@ -141,16 +147,6 @@ Quaternion_vector<double> face_spins(const Mesh_view& mesh, const Points& positi
   }
   return q;
 }
-
-namespace internal {
-
-bool is_thin(const Mesh_view& mesh, int f)
-{
-  const Eigen::Matrix3d e = mesh.sheet(f).vectors;
-  return !(mesh.double_area_vector(f).norm() > 1e-3 * e.colwise().squaredNorm().maxCoeff());
-}
-
-}  // namespace internal
 
 void replace_thin_faces(const Mesh_view& mesh, const Points& positions,
                         Quaternion_vector<double>& spins)

@@ -37,6 +37,20 @@ struct Spin_structure {
   friend bool operator!=(const Spin_structure& a, const Spin_structure& b) { return !(a == b); }
 };
 
+/// whether the height of a face is less than a thousandth of its longest edge
+bool is_thin(const Mesh_view& mesh, int f);
+
+/// both in the normalized frame of the mesh, where squares of areas neither over- nor underflow
+std::pair<Mesh_view, Points> in_frame(const Mesh_view& mesh, const Points& target);
+
+/// \brief returns the target of a deformation.
+/// \param mollification if set, thin faces are admitted, and the spin structure is not checked
+/// \throw Precondition_error unless mesh and target are connected, oriented manifolds with the same
+/// faces and finite coordinates, without mollification of positive areas and, if closed, with the
+/// same spin structure
+Points checked_target(const Mesh_view& mesh, Points target,
+                      const std::optional<double>& mollification, const std::string& function);
+
 }  // namespace internal
 
 /// \ingroup PkgSpin
@@ -74,13 +88,6 @@ void require_same_spin_structure(const Mesh_view& mesh, const Points& positions,
 /// \pre no face has area zero before or after
 Quaternion_vector<double> face_spins(const Mesh_view& mesh, const Points& positions);
 
-namespace internal {
-
-/// whether the height of a face is less than a thousandth of its longest edge
-bool is_thin(const Mesh_view& mesh, int f);
-
-}  // namespace internal
-
 /// \ingroup PkgSpin
 /// \brief replaces the spins of faces that are thin before or after the deformation, which depend
 /// on rounding or do not exist, by the mean of their neighbours, ring by ring.
@@ -102,18 +109,4 @@ int make_consistent(const Mesh_view& mesh, Quaternion_vector<double>& spins);
 Quaternion_vector<double> vertex_spins(const Mesh_view& mesh,
                                        const Quaternion_vector<double>& face_spins);
 
-namespace internal {
-
-/// both in the normalized frame of the mesh, where squares of areas neither over- nor underflow
-std::pair<Mesh_view, Points> in_frame(const Mesh_view& mesh, const Points& target);
-
-/// \brief returns the target of a deformation.
-/// \param mollification if set, thin faces are admitted, and the spin structure is not checked
-/// \throw Precondition_error unless mesh and target are connected, oriented manifolds with the same
-/// faces and finite coordinates, without mollification of positive areas and, if closed, with the
-/// same spin structure
-Points checked_target(const Mesh_view& mesh, Points target,
-                      const std::optional<double>& mollification, const std::string& function);
-
-}  // namespace internal
 }  // namespace Conformal_geometry_processing

@@ -34,6 +34,13 @@ Spin_result spin_towards_minimal_surface(const Mesh_view& mesh, double share,
                                          Spin_transformation_options own,
                                          const std::string& function, const Go_further& go_further);
 
+/// A member of the associated family, and its closure residual
+struct Associated_surface {
+  Points positions;             ///< 3 x |V|, with mean zero
+  double closure_residual = 0;  ///< relative; tends to zero if the surface is minimal and simply
+                                ///< connected
+};
+
 }  // namespace internal
 
 /// \ingroup PkgSurfaces
@@ -57,17 +64,6 @@ Spin_result spin_to_minimal_surface(
     const Mesh_view& mesh, Spin_transformation_options own = {Boundary_condition::tangents()},
     const std::string& function = "spin_to_minimal_surface",
     const internal::Go_further& go_further = internal::Always_go_further());
-
-namespace internal {
-
-/// A member of the associated family, and its closure residual
-struct Associated_surface {
-  Points positions;             ///< 3 x |V|, with mean zero
-  double closure_residual = 0;  ///< relative; tends to zero if the surface is minimal and simply
-                                ///< connected
-};
-
-}  // namespace internal
 
 /// \ingroup PkgSurfaces
 /// \brief The associated family of a minimal surface, its isometric deformations:

@@ -15,7 +15,6 @@
 #include <vector>
 
 namespace Conformal_geometry_processing {
-
 namespace internal {
 
 double normalized_legendre(int l, int m, double cosine, double sine)
@@ -33,6 +32,68 @@ double normalized_legendre(int l, int m, double cosine, double sine)
   }
   return value;
 }
+
+/// Returns the centre of the best-fitting sphere, by least squares of |p - c|^2 - r^2.
+/// \pre positions are of moderate size
+Eigen::Vector3d center_of_sphere(const Points& positions)
+{
+  const Eigen::Vector3d mean = positions.rowwise().mean();
+  const Points p = positions.colwise() - mean;
+  const Eigen::RowVectorXd squares = p.colwise().squaredNorm();
+  // 2 <p, c> - squares is constant, so the covariance of p with its squares determines c.
+  const Eigen::Matrix3d A = 2 * p * p.transpose();
+  const Eigen::Vector3d b = p * squares.transpose();
+  return mean + A.ldlt().solve(b);
+}
+
+/// Vertices (+-1, +-phi, 0) and cyclic permutations, faces counter-clockwise seen from outside
+Mesh_view icosahedron()
+{
+  const double g = (1 + std::sqrt(5.)) / 2;
+  Points p(3, 12);
+  p << -1, 1, -1, 1, 0, 0, 0, 0, g, g, -g, -g,  //
+      g, g, -g, -g, -1, 1, -1, 1, 0, 0, 0, 0,   //
+      0, 0, 0, 0, g, g, -g, -g, -1, 1, -1, 1;
+  return {std::move(p),
+          {{0, 11, 5},  {0, 5, 1},  {0, 1, 7},  {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
+           {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
+           {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}}};
+}
+
+/// Numbers the points of evenly subdivided faces; points on edges are shared.
+class Geodesic_points {
+ public:
+  /// \param frequency the number of parts of an edge
+  explicit Geodesic_points(int frequency) : m_frequency(frequency), m_base(icosahedron()) {}
+
+  const Mesh_view& base() const { return m_base; }
+  Points points() const
+  {
+    return Eigen::Map<const Points>(m_points.front().data(), 3,
+                                    static_cast<Eigen::Index>(m_points.size()));
+  }
+
+  /// The point with these barycentric coordinates, times the frequency, in face f
+  int number(int f, const std::array<int, 3>& weights)
+  {
+    std::map<int, int> key;  // from corners to weights, without zero weights
+    Eigen::Vector3d p = Eigen::Vector3d::Zero();
+    for (std::size_t c = 0; c < 3; ++c) {
+      if (weights[c] == 0) continue;
+      key[m_base.corners(f)[c]] = weights[c];
+      p += weights[c] * m_base.position(m_base.corners(f)[c]);
+    }
+    const auto [place, is_new] = m_numbers.emplace(key, static_cast<int>(m_points.size()));
+    if (is_new) m_points.push_back((p / m_frequency).normalized());
+    return place->second;
+  }
+
+ private:
+  int m_frequency;
+  Mesh_view m_base;
+  std::vector<Eigen::Vector3d> m_points;
+  std::map<std::map<int, int>, int> m_numbers;
+};
 
 }  // namespace internal
 
@@ -70,23 +131,6 @@ Quaternion<double> spherical_spinor(int kappa, int s, const Eigen::Vector3d& poi
   const std::complex<double> psi_2 = b * spherical_harmonic(l, s + 1, point);
   return {psi_2.real(), -psi_1.imag(), -psi_1.real(), psi_2.imag()};
 }
-
-namespace internal {
-
-/// Returns the centre of the best-fitting sphere, by least squares of |p - c|^2 - r^2.
-/// \pre positions are of moderate size
-Eigen::Vector3d center_of_sphere(const Points& positions)
-{
-  const Eigen::Vector3d mean = positions.rowwise().mean();
-  const Points p = positions.colwise() - mean;
-  const Eigen::RowVectorXd squares = p.colwise().squaredNorm();
-  // 2 <p, c> - squares is constant, so the covariance of p with its squares determines c.
-  const Eigen::Matrix3d A = 2 * p * p.transpose();
-  const Eigen::Vector3d b = p * squares.transpose();
-  return mean + A.ldlt().solve(b);
-}
-
-}  // namespace internal
 
 Points directions_on_sphere(const Mesh_view& mesh, const std::string& function)
 {
@@ -142,59 +186,6 @@ Spin_result dirac_disk(const Mesh_view& mesh, double wanted, const Dirac_options
   result.report.limits.map.flipped_share = 0;
   return result;
 }
-
-namespace internal {
-
-/// Vertices (+-1, +-phi, 0) and cyclic permutations, faces counter-clockwise seen from outside
-Mesh_view icosahedron()
-{
-  const double g = (1 + std::sqrt(5.)) / 2;
-  Points p(3, 12);
-  p << -1, 1, -1, 1, 0, 0, 0, 0, g, g, -g, -g,  //
-      g, g, -g, -g, -1, 1, -1, 1, 0, 0, 0, 0,   //
-      0, 0, 0, 0, g, g, -g, -g, -1, 1, -1, 1;
-  return {std::move(p),
-          {{0, 11, 5},  {0, 5, 1},  {0, 1, 7},  {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
-           {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
-           {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}}};
-}
-
-/// Numbers the points of evenly subdivided faces; points on edges are shared.
-class Geodesic_points {
- public:
-  /// \param frequency the number of parts of an edge
-  explicit Geodesic_points(int frequency) : m_frequency(frequency), m_base(icosahedron()) {}
-
-  const Mesh_view& base() const { return m_base; }
-  Points points() const
-  {
-    return Eigen::Map<const Points>(m_points.front().data(), 3,
-                                    static_cast<Eigen::Index>(m_points.size()));
-  }
-
-  /// The point with these barycentric coordinates, times the frequency, in face f
-  int number(int f, const std::array<int, 3>& weights)
-  {
-    std::map<int, int> key;  // from corners to weights, without zero weights
-    Eigen::Vector3d p = Eigen::Vector3d::Zero();
-    for (std::size_t c = 0; c < 3; ++c) {
-      if (weights[c] == 0) continue;
-      key[m_base.corners(f)[c]] = weights[c];
-      p += weights[c] * m_base.position(m_base.corners(f)[c]);
-    }
-    const auto [place, is_new] = m_numbers.emplace(key, static_cast<int>(m_points.size()));
-    if (is_new) m_points.push_back((p / m_frequency).normalized());
-    return place->second;
-  }
-
- private:
-  int m_frequency;
-  Mesh_view m_base;
-  std::vector<Eigen::Vector3d> m_points;
-  std::map<std::map<int, int>, int> m_numbers;
-};
-
-}  // namespace internal
 
 Mesh_view geodesic_sphere(int frequency)
 {

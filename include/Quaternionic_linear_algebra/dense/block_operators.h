@@ -136,6 +136,13 @@ constexpr bool can_release = false;
 template <class Solver>
 constexpr bool can_release<Solver, std::void_t<decltype(std::declval<Solver&>().release())>> = true;
 
+/// \brief Field of the coefficients in linear combinations of quaternionic vectors.
+///
+/// Vectors with prescribed directions at the boundary (`Reduced_basis`) form a vector space over
+/// the real numbers only: their inner product is the real part of the quaternionic one, and all
+/// quantities derived from inner products are real as well.
+enum class Coefficients { quaternions, reals };
+
 }  // namespace internal
 
 /// \ingroup PkgLinearAlgebra
@@ -160,17 +167,6 @@ void release_factor(Solver& solver)
 {
   if constexpr (internal::can_release<Solver>) solver.release();
 }
-
-namespace internal {
-
-/// \brief Field of the coefficients in linear combinations of quaternionic vectors.
-///
-/// Vectors with prescribed directions at the boundary (`Reduced_basis`) form a vector space over
-/// the real numbers only: their inner product is the real part of the quaternionic one, and all
-/// quantities derived from inner products are real as well.
-enum class Coefficients { quaternions, reals };
-
-}  // namespace internal
 
 /// \ingroup PkgLinearAlgebra
 /// \brief Returns q, or its real part

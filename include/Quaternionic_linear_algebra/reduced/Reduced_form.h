@@ -18,17 +18,13 @@ struct Reduced_form {
   double cost = 0;  ///< floating-point operations, weighted by their speed
 };
 
+double operations_of_real_form(const Supernodal_structure& S, const Reduced_rows& rows);
+
 }  // namespace internal
 
 /// \ingroup PkgLinearAlgebra
 /// \brief Moves the reduced rows to the end of the ordering.
 internal::Ordering reduced_last(internal::Ordering order, const internal::Reduced_rows& rows);
-
-namespace internal {
-
-double operations_of_real_form(const Supernodal_structure& S, const Reduced_rows& rows);
-
-}  // namespace internal
 
 /// \ingroup PkgLinearAlgebra
 /// \brief Chooses the cheaper form for an ordering; independent of the machine.

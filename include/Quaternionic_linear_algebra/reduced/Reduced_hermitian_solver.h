@@ -98,10 +98,6 @@ class Real_reduced_solver {
   bool m_is_factorized = false;
 };
 
-}  // namespace internal
-
-namespace internal {
-
 /// \brief Solves systems with the real symmetric matrix R = B^T (X + diag(shift)) B, where X is
 /// quaternionic and Hermitian and some of the unknowns lie in planes of H: boundary vertices with
 /// prescribed directions [CGP 5.7].

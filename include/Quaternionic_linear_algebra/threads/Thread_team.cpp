@@ -12,21 +12,6 @@ std::atomic<int>& thread_setting()
   return threads;
 }
 
-}  // namespace internal
-
-int number_of_threads()
-{
-  return internal::thread_setting();
-}
-
-void set_number_of_threads(int threads)
-{
-  const int all = (std::max)(1, static_cast<int>(std::thread::hardware_concurrency()));
-  internal::thread_setting() = (std::min)(threads > 0 ? threads : all, 1024);
-}
-
-namespace internal {
-
 /// What this thread belongs to
 struct Membership {
   Thread_team* team = nullptr;
@@ -120,4 +105,16 @@ void Thread_team::attempt(const std::function<void()>& work)
 }
 
 }  // namespace internal
+
+int number_of_threads()
+{
+  return internal::thread_setting();
+}
+
+void set_number_of_threads(int threads)
+{
+  const int all = (std::max)(1, static_cast<int>(std::thread::hardware_concurrency()));
+  internal::thread_setting() = (std::min)(threads > 0 ? threads : all, 1024);
+}
+
 }  // namespace Conformal_geometry_processing

@@ -128,14 +128,6 @@ struct Panel_layout {
   }
 };
 
-}  // namespace internal
-
-/// \ingroup PkgLinearAlgebra
-/// Maximal width of a panel in the substitution
-constexpr int max_panel_width = 64;
-
-namespace internal {
-
 /// \brief The update that a child passes to the front of its parent.
 template <class Real>
 struct Child_update {
@@ -222,4 +214,9 @@ struct Front_kernels {
 };
 
 }  // namespace internal
+
+/// \ingroup PkgLinearAlgebra
+/// Maximal width of a panel in the substitution
+constexpr int max_panel_width = 64;
+
 }  // namespace Conformal_geometry_processing
