@@ -1,6 +1,6 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 // Tests include/Conformal_geometry_processing/spin_transform.h
-// Tests core/dirac_parameters.h, core/spin_parameters.h
+// Tests core/spin_parameters.h, core/spin_parameters.h
 #include <Quaternionic_linear_algebra/krylov/inverse_power_method.h>
 
 #include <CGAL/Simple_cartesian.h>

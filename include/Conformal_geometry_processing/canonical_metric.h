@@ -2,8 +2,8 @@
 #pragma once
 
 #include <Conformal_geometry_processing/core/Graph_view.h>
-#include <Conformal_geometry_processing/core/dirac_parameters.h>
 #include <Conformal_geometry_processing/core/named_parameters.h>
+#include <Conformal_geometry_processing/core/spin_parameters.h>
 #include <Conformal_geometry_processing/flow/Moebius_balancing.h>
 #include <Conformal_geometry_processing/forms/Hodge_decomposition.h>
 #include <Conformal_geometry_processing/mesh/Normalized_frame.h>

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <Conformal_geometry_processing/core/Graph_view.h>
-#include <Conformal_geometry_processing/core/dirac_parameters.h>
 #include <Conformal_geometry_processing/core/named_parameters.h>
 #include <Conformal_geometry_processing/core/spin_parameters.h>
 #include <Conformal_geometry_processing/surfaces/spheres.h>

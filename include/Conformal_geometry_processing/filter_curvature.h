@@ -2,8 +2,8 @@
 #pragma once
 
 #include <Conformal_geometry_processing/core/Graph_view.h>
-#include <Conformal_geometry_processing/core/dirac_parameters.h>
 #include <Conformal_geometry_processing/core/named_parameters.h>
+#include <Conformal_geometry_processing/core/spin_parameters.h>
 #include <Conformal_geometry_processing/flow/Curvature_filter.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Conformal_geometry_processing/painting/image_filters.h>

@@ -6,7 +6,6 @@
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 #include <Conformal_geometry_processing/operators/mean_curvature.h>
 #include <Quaternionic_linear_algebra/algebra/Quaternion.h>
-#include <Quaternionic_linear_algebra/algebra/stable_norm.h>
 
 #include <Eigen/Geometry>
 

@@ -1,10 +1,11 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/measure/overlaps.h>
 
+#include <Conformal_geometry_processing/mesh/Delaunay_view.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <complex>
 #include <cstddef>
 #include <deque>
 #include <numeric>
@@ -13,44 +14,19 @@ namespace Conformal_geometry_processing::internal {
 
 namespace {
 
-using Point = std::complex<double>;
-using Polygon = std::vector<Point>;
-
-/// twice the area of a triangle, positive if it is counter-clockwise
-double orientation(const Point& a, const Point& b, const Point& c)
-{
-  return std::imag(std::conj(b - a) * (c - a));
-}
-
-using Triangle = std::array<Point, 3>;
+using Triangle = std::array<Eigen::Vector2d, 3>;
 
 double signed_area(const Triangle& t)
 {
-  return orientation(t[0], t[1], t[2]) / 2;
+  const Eigen::Vector2d u = t[1] - t[0], v = t[2] - t[0];
+  return (u.x() * v.y() - u.y() * v.x()) / 2;
 }
 
 Triangle image(const Mesh_view& mesh, int f, const Points& positions)
 {
   Triangle t;
-  for (std::size_t c = 0; c < 3; ++c) {
-    const auto p = positions.col(mesh.corners(f)[c]);
-    t[c] = {p.x(), p.y()};
-  }
+  for (std::size_t c = 0; c < 3; ++c) t[c] = positions.col(mesh.corners(f)[c]).head<2>();
   return t;
-}
-
-/// the part of a convex polygon on the left of the line from a to b
-Polygon left_part(const Polygon& polygon, const Point& a, const Point& b)
-{
-  Polygon part;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Point &p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
-    const double at_p = orientation(a, b, p), at_q = orientation(a, b, q);
-    if (at_p >= 0) part.push_back(p);
-    if ((at_p > 0 && at_q < 0) || (at_p < 0 && at_q > 0))
-      part.push_back(p + at_p / (at_p - at_q) * (q - p));
-  }
-  return part;
 }
 
 /// A face of positive area in the plane, and the box around it
@@ -61,21 +37,18 @@ struct Flat_face {
 
   Flat_face(int f, const Triangle& z) : face(f), corners(z), area(signed_area(z))
   {
-    const auto x = std::minmax({z[0].real(), z[1].real(), z[2].real()});
-    const auto y = std::minmax({z[0].imag(), z[1].imag(), z[2].imag()});
+    const auto x = std::minmax({z[0].x(), z[1].x(), z[2].x()});
+    const auto y = std::minmax({z[0].y(), z[1].y(), z[2].y()});
     left = x.first, right = x.second, low = y.first, high = y.second;
   }
 };
 
 double common_area(const Flat_face& a, const Flat_face& b)
 {
-  Polygon part(a.corners.begin(), a.corners.end());
+  Plane_polygon part(a.corners.begin(), a.corners.end());
   for (std::size_t c = 0; c < 3 && !part.empty(); ++c)
-    part = left_part(part, b.corners[c], b.corners[(c + 1) % 3]);
-  double area = 0;
-  for (std::size_t i = 2; i < part.size(); ++i)
-    area += orientation(part[0], part[i - 1], part[i]) / 2;
-  return area;
+    part = clipped(part, b.corners[c], b.corners[(c + 1) % 3]);
+  return area_of(part);
 }
 
 std::vector<Flat_face> by_left_end(const Mesh_view& mesh, const Points& positions)

@@ -2,7 +2,6 @@
 #include <Conformal_geometry_processing/mesh/Boundary_frames.h>
 
 #include <Conformal_geometry_processing/mesh/normals.h>
-#include <Quaternionic_linear_algebra/algebra/stable_norm.h>
 
 #include <Eigen/Geometry>
 

@@ -131,12 +131,14 @@ void internal::Common_subdivision::move(std::vector<Piece>& pieces, const Frame&
   }
 }
 
-double internal::Common_subdivision::cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
+namespace internal {
+
+double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
 {
   return a.x() * b.y() - a.y() * b.x();
 }
 
-double internal::Common_subdivision::area(const std::vector<Eigen::Vector2d>& polygon)
+double area_of(const Plane_polygon& polygon)
 {
   double twice = 0;
   for (std::size_t s = 2; s < polygon.size(); ++s)
@@ -144,10 +146,10 @@ double internal::Common_subdivision::area(const std::vector<Eigen::Vector2d>& po
   return (std::max)(twice / 2, 0.);
 }
 
-std::vector<Eigen::Vector2d> internal::Common_subdivision::left_of(
-    const std::vector<Eigen::Vector2d>& polygon, const Eigen::Vector2d& p, const Eigen::Vector2d& q)
+Plane_polygon clipped(const Plane_polygon& polygon, const Eigen::Vector2d& p,
+                      const Eigen::Vector2d& q)
 {
-  std::vector<Eigen::Vector2d> left;
+  Plane_polygon left;
   for (std::size_t s = 0; s < polygon.size(); ++s) {
     const Eigen::Vector2d &x = polygon[s], &y = polygon[(s + 1) % polygon.size()];
     const double at_x = cross(q - p, x - p), at_y = cross(q - p, y - p);
@@ -158,6 +160,8 @@ std::vector<Eigen::Vector2d> internal::Common_subdivision::left_of(
   return left;
 }
 
+}  // namespace internal
+
 std::vector<internal::Common_subdivision::Piece> internal::Common_subdivision::left_of(
     const std::vector<Piece>& pieces, const Eigen::Vector2d& p, const Eigen::Vector2d& q)
 {
@@ -165,10 +169,10 @@ std::vector<internal::Common_subdivision::Piece> internal::Common_subdivision::l
   std::vector<double> areas;
   double total = 0;
   for (const Piece& piece : pieces) {
-    std::vector<Eigen::Vector2d> polygon = left_of(piece.polygon, p, q);
-    areas.push_back(area(polygon));
+    Plane_polygon polygon = clipped(piece.polygon, p, q);
+    areas.push_back(area_of(polygon));
     total += areas.back();
-    const double share = areas.back() / area(piece.polygon);
+    const double share = areas.back() / area_of(piece.polygon);
     left.push_back({std::move(polygon), share * piece.weight, piece.face, piece.to_space});
   }
   const double splinter = 1e-12 * total;
@@ -188,7 +192,7 @@ void internal::Common_subdivision::add_face(const Mesh_view& mesh,
   int longest = 3 * f;
   for (int h = 3 * f; h < 3 * f + 3; ++h)
     if (triangles.length(h) > triangles.length(longest)) longest = h;
-  const std::vector<Eigen::Vector2d> polygon = {
+  const Plane_polygon polygon = {
       {0, 0}, {triangles.length(3 * f), 0}, triangles.apex_in_plane(3 * f)};
   const double length = triangles.length(longest),
                negligible = relative_area_tolerance * length * length;

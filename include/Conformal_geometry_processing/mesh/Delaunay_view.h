@@ -50,6 +50,16 @@ class Transported_forms {
   Rows m_sides;   // of the two triangles that a flip changes
 };
 
+/// A convex polygon in the plane, counter-clockwise
+using Plane_polygon = std::vector<Eigen::Vector2d>;
+
+/// its area, at least zero
+double area_of(const Plane_polygon& polygon);
+
+/// the part of a polygon on the left of the line from p to q
+Plane_polygon clipped(const Plane_polygon& polygon, const Eigen::Vector2d& p,
+                      const Eigen::Vector2d& q);
+
 /// \brief Partition of the faces of a mesh by its intrinsic triangulation, and the embedding of the
 /// pieces in space.
 ///
@@ -61,7 +71,7 @@ class Common_subdivision {
   /// A convex part of a face, in the plane of the intrinsic face that contains it, where halfedge 3
   /// g starts at (0, 0) along the x-axis
   struct Piece {
-    std::vector<Eigen::Vector2d> polygon;
+    Plane_polygon polygon;
     double weight;                         ///< its area in the mesh
     int face;                              ///< of the mesh
     Eigen::Matrix<double, 3, 2> to_space;  ///< isometry from that plane to the plane of the face
@@ -97,10 +107,6 @@ class Common_subdivision {
 
   /// Applies the rigid motion that maps one frame to the other
   static void move(std::vector<Piece>& pieces, const Frame& from, const Frame& to);
-  static double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b);
-  static double area(const std::vector<Eigen::Vector2d>& polygon);
-  static std::vector<Eigen::Vector2d> left_of(const std::vector<Eigen::Vector2d>& polygon,
-                                              const Eigen::Vector2d& p, const Eigen::Vector2d& q);
 
   /// Clips the pieces to the left side of the line from p to q. Drops slivers along the line that
   /// are due to rounding, unless nothing else is left.

@@ -162,4 +162,13 @@ class Mesh_view {
   std::vector<double> m_areas;  // |F|: sheets are read in every loop
 };
 
+/// \ingroup PkgMesh
+/// Returns the length of a vector without overflow or underflow. (Eigen's `stableNorm()` is for
+/// vectors of any size, and takes longer to compile than most callers of this function.)
+double stable_norm(const Eigen::Vector3d& v);
+
+/// \ingroup PkgMesh
+/// Returns the unit vector in the direction of a vector of any length; zero for zero
+Eigen::Vector3d stable_normalized(const Eigen::Vector3d& v);
+
 }  // namespace Conformal_geometry_processing

@@ -1,8 +1,6 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/mesh/normals.h>
 
-#include <Quaternionic_linear_algebra/algebra/stable_norm.h>
-
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 

@@ -4,7 +4,6 @@
 #include <Conformal_geometry_processing/measure/distortion.h>
 #include <Conformal_geometry_processing/mesh/topology.h>
 #include <Conformal_geometry_processing/operators/cotan_laplacian.h>
-#include <Quaternionic_linear_algebra/algebra/stable_norm.h>
 #include <Quaternionic_linear_algebra/direct/Ordering.h>
 
 #include <algorithm>

@@ -2,7 +2,6 @@
 #include <Conformal_geometry_processing/spin/Boundary_condition.h>
 
 #include <Conformal_geometry_processing/mesh/requirements.h>
-#include <Quaternionic_linear_algebra/algebra/stable_norm.h>
 #include <Quaternionic_linear_algebra/exceptions.h>
 
 #include <Eigen/LU>

@@ -7,7 +7,6 @@
 #include <Quaternionic_linear_algebra/algebra/Hermitian_sparse_matrix.h>
 #include <Quaternionic_linear_algebra/algebra/Quaternion.h>
 #include <Quaternionic_linear_algebra/algebra/Reduced_basis.h>
-#include <Quaternionic_linear_algebra/algebra/stable_norm.h>
 #include <Quaternionic_linear_algebra/direct/Dirichlet_solver.h>
 #include <Quaternionic_linear_algebra/direct/Solver_ref.h>
 #include <Quaternionic_linear_algebra/exceptions.h>

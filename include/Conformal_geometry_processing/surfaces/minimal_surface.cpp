@@ -10,7 +10,6 @@
 #include <Conformal_geometry_processing/spin/certify.h>
 #include <Conformal_geometry_processing/spin/transformed_edges.h>
 #include <Quaternionic_linear_algebra/algebra/rotor.h>
-#include <Quaternionic_linear_algebra/algebra/stable_norm.h>
 
 #include <Eigen/Geometry>
 

@@ -3,7 +3,6 @@
 
 #include <Conformal_geometry_processing/measure/energies.h>
 #include <Conformal_geometry_processing/mesh/Normalized_frame.h>
-#include <Quaternionic_linear_algebra/algebra/stable_norm.h>
 
 #include <Eigen/Cholesky>
 

@@ -1,6 +1,6 @@
-// Tests algebra/stable_norm.h
+// Tests mesh/Mesh_view.h
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-#include <Quaternionic_linear_algebra/algebra/stable_norm.h>
+#include <Conformal_geometry_processing/mesh/Mesh_view.h>
 
 #include <gtest/gtest.h>
 
