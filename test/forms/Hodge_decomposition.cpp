@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 #include <Eigen/Dense>
 
+#include "random_closed_forms.h"
 #include "support/handlebodies.h"
 #include "support/meshes.h"
 
@@ -143,11 +144,11 @@ Eigen::MatrixXd harmonic_forms(const Mesh_view& mesh, const Eigen::MatrixXd& gen
 TEST(Random_closed_forms, are_closed)
 {
   for (const Mesh_view& mesh : {btorus(16), perturbed(btorus(16), 0.05), smooth_handlebody(2, 1)}) {
-    const Eigen::MatrixXd forms = CGP::random_closed_forms(mesh, 1);
+    const Eigen::MatrixXd forms = random_closed_forms(mesh, 1);
     EXPECT_LT(greatest(CGP::exterior_derivative_1(mesh) * forms), 1e-12 * greatest(forms));
     EXPECT_GT(greatest(forms), 0.1);
   }
-  EXPECT_EQ(CGP::random_closed_forms(icosphere(1), 1).cols(), 0);
+  EXPECT_EQ(random_closed_forms(icosphere(1), 1).cols(), 0);
 }
 
 TEST(Random_closed_forms, lead_to_the_same_harmonic_forms_as_trees)
@@ -155,7 +156,7 @@ TEST(Random_closed_forms, lead_to_the_same_harmonic_forms_as_trees)
   for (const Mesh_view& mesh : {perturbed(btorus(16), 0.05), smooth_handlebody(2, 1)})
     for (const unsigned seed : {0u, 1u}) {
       const Eigen::MatrixXd a = harmonic_forms(mesh, CGP::closed_generators(mesh));
-      const Eigen::MatrixXd b = harmonic_forms(mesh, CGP::random_closed_forms(mesh, seed));
+      const Eigen::MatrixXd b = harmonic_forms(mesh, random_closed_forms(mesh, seed));
       const Eigen::VectorXd w = CGP::cotan_weights(mesh);
       const Eigen::MatrixXd rotation = a.transpose() * w.asDiagonal() * b;
       EXPECT_LT(greatest(b - a * rotation), 1e-11);
@@ -168,8 +169,8 @@ TEST(Random_closed_forms, lead_to_the_same_harmonic_forms_as_trees)
 TEST(Random_closed_forms, are_the_same_for_the_same_seed)
 {
   const Mesh_view mesh = btorus(8);
-  EXPECT_EQ(CGP::random_closed_forms(mesh, 3), CGP::random_closed_forms(mesh, 3));
-  EXPECT_NE(CGP::random_closed_forms(mesh, 3), CGP::random_closed_forms(mesh, 4));
+  EXPECT_EQ(random_closed_forms(mesh, 3), random_closed_forms(mesh, 3));
+  EXPECT_NE(random_closed_forms(mesh, 3), random_closed_forms(mesh, 4));
 }
 
 TEST(Random_closed_forms, refuse_right_angles)
@@ -180,11 +181,13 @@ TEST(Random_closed_forms, refuse_right_angles)
   const std::string edge =
       "edge " + std::to_string(mesh.ends(first)[0]) + "-" + std::to_string(mesh.ends(first)[1]);
   try {
-    (void)CGP::random_closed_forms(mesh, 1, "my_function");
+    (void)random_closed_forms(mesh, 1);
     ADD_FAILURE() << "not refused";
   } catch (const CGP::Precondition_error& error) {
     const std::string message = error.what();
-    EXPECT_EQ(message.find("my_function: 32 edges of cotan weight zero, the first is " + edge), 0u)
+    EXPECT_EQ(
+        message.find("random_closed_forms: 32 edges of cotan weight zero, the first is " + edge),
+        0u)
         << message;
   }
 }

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "holed_surfaces.h"
+#include "random_closed_forms.h"
 #include "support/random.h"
 
 namespace cgp_test::hodge_decomposition_boundary_tests {
@@ -125,7 +126,7 @@ TEST(Hodge_decomposition_with_boundary, splits_any_form_into_orthogonal_parts)
 TEST(Hodge_decomposition_with_boundary, finds_the_same_space_from_random_forms)
 {
   const Mesh_view mesh = disk_with_three_holes(6);
-  const Eigen::MatrixXd random = CGP::random_closed_forms(mesh, 3);
+  const Eigen::MatrixXd random = random_closed_forms(mesh, 3);
   ASSERT_EQ(random.cols(), 3);
   EXPECT_LT(greatest(CGP::exterior_derivative_1(mesh) * random), 1e-12);
   CGP::internal::Grounded_solver laplacian(CGP::vertex_graph(mesh));

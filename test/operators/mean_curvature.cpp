@@ -1,13 +1,17 @@
 // Tests include/Conformal_geometry_processing/operators/mean_curvature.h
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/mesh/normals.h>
+#include <Conformal_geometry_processing/mesh/topology.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 #include <Conformal_geometry_processing/operators/mean_curvature.h>
 
 #include <gtest/gtest.h>
 
+#include "support/bounded_meshes.h"
 #include "support/meshes.h"
 #include "support/torus_spectrum.h"
+
+#include <vector>
 
 namespace cgp_test::mean_curvature_tests {
 
@@ -148,6 +152,15 @@ TEST(Mean_curvature_half_density, has_no_unit)
       (CGP::mean_curvature_half_density(scaled(mesh, 4)) - CGP::mean_curvature_half_density(mesh))
           .norm(),
       1e-13);
+}
+
+TEST(Angle_defects, of_a_square_are_right_angles_at_its_corners)
+{
+  const Mesh_view mesh = grid(2, 2);
+  const std::vector<int> loop = CGP::boundary_loops(mesh)[0];
+  const Eigen::VectorXd turn = CGP::internal::angle_defects(mesh)(loop);
+  for (Eigen::Index k = 0; k < turn.size(); ++k)
+    EXPECT_NEAR(turn[k], k % 2 == 0 ? pi / 2 : 0, 1e-14);
 }
 
 }  // namespace cgp_test::mean_curvature_tests

@@ -1,6 +1,7 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/operators/cotan_laplacian.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
+#include <Conformal_geometry_processing/operators/mean_curvature.h>
 #include <Conformal_geometry_processing/parameterization/cones.h>
 
 #include <gtest/gtest.h>

@@ -87,13 +87,4 @@ TEST(Planar_directions, are_those_of_disks_only)
   }
 }
 
-TEST(Turning_angles, of_a_square_are_right_angles_at_its_corners)
-{
-  const Mesh_view mesh = grid(2, 2);
-  const CGP::internal::Vertex_loop loop = CGP::boundary_loops(mesh)[0];
-  const Eigen::VectorXd turn = CGP::turning_angles(mesh, loop);
-  for (Eigen::Index k = 0; k < turn.size(); ++k)
-    EXPECT_NEAR(turn[k], k % 2 == 0 ? pi / 2 : 0, 1e-14);
-}
-
 }  // namespace cgp_test::planar_directions_tests

@@ -5,6 +5,7 @@
 #include <Conformal_geometry_processing/operators/cotan_laplacian.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 
+#include <cmath>
 #include <cstddef>
 
 namespace Conformal_geometry_processing {
@@ -47,6 +48,18 @@ std::vector<char> without_curvature(const Surface_ref& surface, const Eigen::Vec
         is_without[static_cast<std::size_t>(sheet.corners[c])] = 1;
   }
   return is_without;
+}
+
+Eigen::VectorXd angle_defects(const Mesh_view& mesh)
+{
+  const double pi = std::acos(-1.);
+  Eigen::VectorXd defects = Eigen::VectorXd::Constant(mesh.size_of_vertices(), 2 * pi);
+  for (int h = 0; h < mesh.size_of_halfedges(); ++h) {
+    if (mesh.twin(h) < 0) defects[mesh.from(h)] -= pi;
+    defects[mesh.corners()[static_cast<std::size_t>(h / 3)][static_cast<std::size_t>(h % 3)]] -=
+        corner_angle(mesh.sheet(h / 3), h % 3);
+  }
+  return defects;
 }
 
 }  // namespace internal

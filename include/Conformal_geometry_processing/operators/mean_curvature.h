@@ -1,6 +1,7 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #pragma once
 
+#include <Conformal_geometry_processing/mesh/Mesh_view.h>
 #include <Conformal_geometry_processing/mesh/Surface_ref.h>
 
 #include <Eigen/Core>
@@ -14,6 +15,11 @@ namespace internal {
 /// unchanged if nothing is known.
 void fill_unknown(const Surface_ref& surface, std::vector<char> is_unknown,
                   Eigen::VectorXd& values);
+
+/// \brief The angle defects K of the vertices: 2 pi minus the sum of the angles, pi at the
+/// boundary, |V|. They sum to 2 pi chi.
+Eigen::VectorXd angle_defects(const Mesh_view& mesh);
+
 }  // namespace internal
 
 /// \ingroup PkgOperators

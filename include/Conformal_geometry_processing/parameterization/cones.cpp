@@ -5,6 +5,7 @@
 #include <Conformal_geometry_processing/mesh/topology.h>
 #include <Conformal_geometry_processing/operators/cotan_laplacian.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
+#include <Conformal_geometry_processing/operators/mean_curvature.h>
 #include <Conformal_geometry_processing/operators/vertex_graph.h>
 #include <Quaternionic_linear_algebra/direct/Dirichlet_solver.h>
 
@@ -173,17 +174,6 @@ class Scale_variance {
 
 }  // namespace
 
-Eigen::VectorXd angle_defects(const Mesh_view& mesh)
-{
-  Eigen::VectorXd defects = Eigen::VectorXd::Constant(mesh.size_of_vertices(), 2 * pi);
-  for (int h = 0; h < mesh.size_of_halfedges(); ++h)
-    if (mesh.twin(h) < 0) defects[mesh.from(h)] -= pi;
-  for (int f = 0; f < mesh.size_of_faces(); ++f)
-    for (int c = 0; c < 3; ++c)
-      defects[mesh.corners(f)[static_cast<std::size_t>(c)]] -= corner_angle(mesh.sheet(f), c);
-  return defects;
-}
-
 Cone_metric place_cones(const Mesh_view& mesh, int count, const std::vector<Cone>& first)
 {
   Scale_variance variance(mesh, count);
@@ -193,8 +183,6 @@ Cone_metric place_cones(const Mesh_view& mesh, int count, const std::vector<Cone
 }
 
 namespace {
-
-const double half_turn = std::acos(-1.);
 
 /// Halfedges along seams, by the origins of their ends
 using Sides = std::map<std::array<int, 2>, int>;
@@ -211,13 +199,13 @@ class Unfolding {
       if (is_placed[static_cast<std::size_t>(h / 3)]++) return;
       for (int i = 0; i < 3; ++i, h = Mesh_view::next_in_face(h)) {
         m_directions[h] = direction;
-        direction += half_turn - angle_at_end(h);
+        direction += pi - angle_at_end(h);
         waiting.push_back(h);
       }
     };
     for (place(0, 0); !waiting.empty(); waiting.pop_front()) {
       const int h = waiting.front(), t = mesh.twin(h);
-      if (t >= 0) place(t, m_directions[h] + half_turn + turn(h, t));
+      if (t >= 0) place(t, m_directions[h] + pi + turn(h, t));
     }
   }
 
@@ -301,7 +289,7 @@ std::vector<Seam> seams_of(const Mesh_view& mesh, const std::vector<int>& origin
     if (other == sides.end() || ends[0] > ends[1]) continue;
     const int t = other->second;
     const double angle =
-        unfolding.direction(t) - unfolding.direction(h) - half_turn - unfolding.turn(h, t);
+        unfolding.direction(t) - unfolding.direction(h) - pi - unfolding.turn(h, t);
     seams.push_back(
         {{mesh.from(h), mesh.to(h)}, {mesh.to(t), mesh.from(t)}, std::polar(1., angle)});
   }

@@ -27,10 +27,6 @@ struct Cone_metric {
   Eigen::VectorXd log_scale;  ///< u of each vertex, with mean zero over the area
 };
 
-/// \brief The angle defects K of the vertices: 2 pi minus the sum of the angles, pi at the
-/// boundary, |V|. They sum to 2 pi chi.
-Eigen::VectorXd angle_defects(const Mesh_view& mesh);
-
 /// \brief Places cones such that areas change little in the conformal metric that is flat outside
 /// them.
 ///

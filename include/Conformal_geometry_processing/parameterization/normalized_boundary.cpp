@@ -1,9 +1,9 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/parameterization/normalized_boundary.h>
 
-#include <Conformal_geometry_processing/mesh/normals.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Conformal_geometry_processing/mesh/topology.h>
+#include <Conformal_geometry_processing/operators/mean_curvature.h>
 
 #include <cmath>
 #include <complex>
@@ -53,22 +53,14 @@ Eigen::MatrixXcd circle_maps(const Mesh_view& mesh, const std::vector<internal::
   return z;
 }
 
-Eigen::VectorXd turning_angles(const Mesh_view& mesh, const internal::Vertex_loop& loop)
-{
-  Eigen::VectorXd angles = Eigen::VectorXd::Zero(mesh.size_of_vertices());
-  for (int f = 0; f < mesh.size_of_faces(); ++f)
-    for (int c = 0; c < 3; ++c)
-      angles[mesh.corners(f)[static_cast<std::size_t>(c)]] += corner_angle(mesh.sheet(f), c);
-  return std::acos(-1.) - angles(loop).array();
-}
-
 Points planar_directions(const Mesh_view& mesh, const std::string& function)
 {
   if (!topology(mesh).is_disk())
     throw Precondition_error(function,
                              "the surface is not a disk (one loop, no handles); a disk is needed");
   const internal::Vertex_loop loop = boundary_loops(mesh).front();
-  const Eigen::VectorXd turn = turning_angles(mesh, loop), length = lengths_along(mesh, loop);
+  const Eigen::VectorXd turn = internal::angle_defects(mesh)(loop),
+                        length = lengths_along(mesh, loop);
   const Eigen::Index n = turn.size();
   const double missing = 2 * std::acos(-1.) - turn.sum();
   Points directions = Points::Zero(3, n);

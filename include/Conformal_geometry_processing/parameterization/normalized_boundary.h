@@ -42,11 +42,6 @@ Eigen::MatrixXcd circle_maps(const Mesh_view& mesh, const std::vector<internal::
                              int count);
 
 /// \ingroup PkgParameterization
-/// \brief Returns the turning angle of the boundary in the surface at each vertex of a loop,
-/// positive to the left: pi minus the angle of the surface there.
-Eigen::VectorXd turning_angles(const Mesh_view& mesh, const internal::Vertex_loop& loop);
-
-/// \ingroup PkgParameterization
 /// \brief Computes tangents of a closed plane curve, as boundary tangents of a disk that is to be
 /// flattened by rho = -H: the result of `minimal_surface()` then lies in the plane [CGP 6.5.3].
 ///
