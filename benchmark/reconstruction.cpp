@@ -1,6 +1,5 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/spin/Poisson_reconstruction.h>
-#include <Conformal_geometry_processing/spin/transformed_edges.h>
 
 #include "stage.h"
 

@@ -4,7 +4,7 @@
 #include <Conformal_geometry_processing/operators/Curvature_potential.h>
 #include <Conformal_geometry_processing/operators/cotan_laplacian.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
-#include <Conformal_geometry_processing/spin/transformed_edges.h>
+#include <Conformal_geometry_processing/spin/Poisson_reconstruction.h>
 #include <Quaternionic_linear_algebra/algebra/Quaternion_vector.h>
 
 #include <Eigen/CholmodSupport>

@@ -6,7 +6,6 @@
 #include <Conformal_geometry_processing/operators/mean_curvature.h>
 #include <Conformal_geometry_processing/spin/Poisson_reconstruction.h>
 #include <Conformal_geometry_processing/spin/solve_dirac_equation.h>
-#include <Conformal_geometry_processing/spin/transformed_edges.h>
 
 #include <gtest/gtest.h>
 

@@ -3,8 +3,8 @@
 #include <Conformal_geometry_processing/forms/Hodge_decomposition.h>
 #include <Conformal_geometry_processing/forms/exactness_functions.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
+#include <Conformal_geometry_processing/spin/Poisson_reconstruction.h>
 #include <Conformal_geometry_processing/spin/solve_dirac_equation.h>
-#include <Conformal_geometry_processing/spin/transformed_edges.h>
 
 #include <gtest/gtest.h>
 

@@ -6,8 +6,8 @@
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 #include <Conformal_geometry_processing/operators/mean_curvature.h>
 #include <Conformal_geometry_processing/spin/Exactness_constraints.h>
+#include <Conformal_geometry_processing/spin/Poisson_reconstruction.h>
 #include <Conformal_geometry_processing/spin/solve_dirac_equation.h>
-#include <Conformal_geometry_processing/spin/transformed_edges.h>
 
 #include <cmath>
 #include <optional>

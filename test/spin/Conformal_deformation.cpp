@@ -1,7 +1,7 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 // Tests spin/Relaxed_positions.h
 #include <Conformal_geometry_processing/spin/Conformal_deformation.h>
-#include <Conformal_geometry_processing/spin/transformed_edges.h>
+#include <Conformal_geometry_processing/spin/Poisson_reconstruction.h>
 #include <Quaternionic_linear_algebra/exceptions.h>
 
 #include <gtest/gtest.h>

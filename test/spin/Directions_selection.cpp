@@ -2,7 +2,7 @@
 #include <Conformal_geometry_processing/operators/calculus.h>
 #include <Conformal_geometry_processing/spin/Dirac_spectrum.h>
 #include <Conformal_geometry_processing/spin/Directions_selection.h>
-#include <Conformal_geometry_processing/spin/certify.h>
+#include <Conformal_geometry_processing/spin/Spin_report.h>
 #include <Conformal_geometry_processing/spin/solve_dirac_equation.h>
 
 #include <Eigen/Core>

@@ -3,7 +3,6 @@
 #include <Conformal_geometry_processing/operators/cotan_laplacian.h>
 #include <Conformal_geometry_processing/operators/vertex_graph.h>
 #include <Conformal_geometry_processing/spin/Poisson_reconstruction.h>
-#include <Conformal_geometry_processing/spin/transformed_edges.h>
 #include <Quaternionic_linear_algebra/exceptions.h>
 
 #include <gtest/gtest.h>

@@ -2,8 +2,8 @@
 // Tests include/Conformal_geometry_processing/spin/Prescribed_boundary.h
 #include <Conformal_geometry_processing/operators/cotan_laplacian.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
+#include <Conformal_geometry_processing/spin/Poisson_reconstruction.h>
 #include <Conformal_geometry_processing/spin/solve_dirac_equation.h>
-#include <Conformal_geometry_processing/spin/transformed_edges.h>
 
 #include "spin/boundary_tools.h"
 #include "support/dense.h"

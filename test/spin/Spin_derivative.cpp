@@ -1,5 +1,5 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-// Tests operators/dirac_energy.h spin/Spin_residual.h spin/transformed_edges.h
+// Tests operators/dirac_energy.h spin/Spin_residual.h spin/Poisson_reconstruction.h
 #include <Conformal_geometry_processing/spin/Spin_derivative.h>
 #include <Conformal_geometry_processing/spin/Spin_residual.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>

@@ -1,6 +1,6 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 // Tests spin/Spin_transformation.h
-// Tests spin/certify.h
+// Tests spin/Spin_report.h
 #include "spin/boundary_tools.h"
 
 namespace cgp_test::spin_transformation_boundary_realizability_tests {

@@ -1,6 +1,6 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 // Tests include/Conformal_geometry_processing/spin/Spin_transformation.h
-#include <Conformal_geometry_processing/spin/transformed_edges.h>
+#include <Conformal_geometry_processing/spin/Poisson_reconstruction.h>
 
 #include <cmath>
 #include <functional>

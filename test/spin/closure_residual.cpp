@@ -1,7 +1,7 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-// Tests include/Conformal_geometry_processing/spin/transformed_edges.h
+// Tests include/Conformal_geometry_processing/spin/Poisson_reconstruction.h
 #include <Conformal_geometry_processing/operators/cotan_laplacian.h>
-#include <Conformal_geometry_processing/spin/transformed_edges.h>
+#include <Conformal_geometry_processing/spin/Poisson_reconstruction.h>
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
-// Tests include/Conformal_geometry_processing/spin/certify.h
-#include <Conformal_geometry_processing/spin/certify.h>
+// Tests include/Conformal_geometry_processing/spin/Spin_report.h
+#include <Conformal_geometry_processing/spin/Spin_report.h>
 
 #include <gtest/gtest.h>
 

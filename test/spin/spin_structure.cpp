@@ -1,8 +1,8 @@
-// Tests spin/transformed_edges.h
+// Tests spin/Poisson_reconstruction.h
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/mesh/Delaunay_view.h>
+#include <Conformal_geometry_processing/spin/Poisson_reconstruction.h>
 #include <Conformal_geometry_processing/spin/spin_structure.h>
-#include <Conformal_geometry_processing/spin/transformed_edges.h>
 
 #include <gtest/gtest.h>
 

@@ -13,12 +13,11 @@
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 #include <Conformal_geometry_processing/spin/Dirac_solution.h>
 #include <Conformal_geometry_processing/spin/Dirac_system.h>
+#include <Conformal_geometry_processing/spin/Poisson_reconstruction.h>
 #include <Conformal_geometry_processing/spin/Relaxed_surface.h>
 #include <Conformal_geometry_processing/spin/Scale_control.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
-#include <Conformal_geometry_processing/spin/certify.h>
 #include <Conformal_geometry_processing/spin/gauge.h>
-#include <Conformal_geometry_processing/spin/transformed_edges.h>
 #include <Quaternionic_linear_algebra/direct/Stopwatch.h>
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 #include "conformal/process/interruption.h"
 
 #include <Conformal_geometry_processing/parameterization/normalized_boundary.h>
-#include <Conformal_geometry_processing/spin/certify.h>
+#include <Conformal_geometry_processing/spin/Spin_report.h>
 #include <Conformal_geometry_processing/surfaces/minimal_surface.h>
 #include <Quaternionic_linear_algebra/exceptions.h>
 

@@ -4,7 +4,7 @@
 #include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Conformal_geometry_processing/mesh/topology.h>
 #include <Conformal_geometry_processing/spin/Relaxed_positions.h>
-#include <Conformal_geometry_processing/spin/certify.h>
+#include <Conformal_geometry_processing/spin/Spin_report.h>
 #include <Quaternionic_linear_algebra/algebra/rotor.h>
 #include <Quaternionic_linear_algebra/exceptions.h>
 #include <Quaternionic_linear_algebra/threads/Thread_team.h>

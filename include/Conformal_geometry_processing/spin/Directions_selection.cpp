@@ -3,7 +3,7 @@
 
 #include <Conformal_geometry_processing/operators/dirac_energy.h>
 #include <Conformal_geometry_processing/spin/Dirac_misfit.h>
-#include <Conformal_geometry_processing/spin/certify.h>
+#include <Conformal_geometry_processing/spin/Spin_report.h>
 #include <Quaternionic_linear_algebra/direct/Stopwatch.h>
 #include <Quaternionic_linear_algebra/reduced/Reduced_hermitian_solver.h>
 

@@ -3,8 +3,8 @@
 
 #include <Conformal_geometry_processing/mesh/Boundary_frames.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>
+#include <Conformal_geometry_processing/spin/Poisson_reconstruction.h>
 #include <Conformal_geometry_processing/spin/spin_structure.h>
-#include <Conformal_geometry_processing/spin/transformed_edges.h>
 #include <Quaternionic_linear_algebra/threads/Thread_team.h>
 
 #include <Eigen/Geometry>

@@ -3,8 +3,8 @@
 
 #include <Conformal_geometry_processing/operators/Curvature_potential.h>
 #include <Conformal_geometry_processing/operators/dirac_energy.h>
+#include <Conformal_geometry_processing/spin/Poisson_reconstruction.h>
 #include <Conformal_geometry_processing/spin/Spin_gauge.h>
-#include <Conformal_geometry_processing/spin/transformed_edges.h>
 
 #include <Eigen/Cholesky>
 

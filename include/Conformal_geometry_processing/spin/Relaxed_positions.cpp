@@ -2,7 +2,6 @@
 #include <Conformal_geometry_processing/spin/Relaxed_positions.h>
 
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
-#include <Conformal_geometry_processing/spin/transformed_edges.h>
 
 #include <Eigen/Geometry>
 #include <Eigen/SparseCore>

@@ -4,7 +4,6 @@
 #include <Conformal_geometry_processing/operators/cotan_laplacian.h>
 #include <Conformal_geometry_processing/operators/dirac_energy.h>
 #include <Conformal_geometry_processing/spin/Spin_residual.h>
-#include <Conformal_geometry_processing/spin/transformed_edges.h>
 #include <Quaternionic_linear_algebra/dense/block_operators.h>
 #include <Quaternionic_linear_algebra/krylov/conjugate_gradients.h>
 

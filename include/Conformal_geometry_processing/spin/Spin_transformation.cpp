@@ -3,10 +3,8 @@
 
 #include <Conformal_geometry_processing/operators/Curvature_potential.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
-#include <Conformal_geometry_processing/spin/certify.h>
 #include <Conformal_geometry_processing/spin/gauge.h>
 #include <Conformal_geometry_processing/spin/snap_to_class.h>
-#include <Conformal_geometry_processing/spin/transformed_edges.h>
 #include <Quaternionic_linear_algebra/threads/Thread_team.h>
 
 #include <limits>

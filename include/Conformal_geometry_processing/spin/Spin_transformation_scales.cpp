@@ -4,9 +4,9 @@
 
 #include <Conformal_geometry_processing/operators/dirac_energy.h>
 #include <Conformal_geometry_processing/spin/Exactness_constraints.h>
+#include <Conformal_geometry_processing/spin/Poisson_reconstruction.h>
 #include <Conformal_geometry_processing/spin/Relaxed_surface.h>
 #include <Conformal_geometry_processing/spin/snap_to_class.h>
-#include <Conformal_geometry_processing/spin/transformed_edges.h>
 #include <Quaternionic_linear_algebra/direct/Stopwatch.h>
 #include <Quaternionic_linear_algebra/threads/Thread_team.h>
 

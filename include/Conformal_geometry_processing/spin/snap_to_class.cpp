@@ -5,7 +5,6 @@
 #include <Conformal_geometry_processing/mesh/Normalized_frame.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
-#include <Conformal_geometry_processing/spin/certify.h>
 #include <Conformal_geometry_processing/spin/gauge.h>
 #include <Quaternionic_linear_algebra/exceptions.h>
 

@@ -7,8 +7,7 @@
 #include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 #include <Conformal_geometry_processing/operators/vertex_graph.h>
-#include <Conformal_geometry_processing/spin/certify.h>
-#include <Conformal_geometry_processing/spin/transformed_edges.h>
+#include <Conformal_geometry_processing/spin/Spin_report.h>
 #include <Quaternionic_linear_algebra/algebra/rotor.h>
 
 #include <Eigen/Geometry>
