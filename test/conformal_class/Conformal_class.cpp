@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "support/meshes.h"
@@ -152,6 +153,21 @@ TEST(Conformal_class, is_reached_with_a_factor_from_afar_where_a_new_one_leads)
     EXPECT_LT(change(mesh, g), 1e-10);
     const Points directly = snapped(mesh, stretched(mesh, 1.15));
     EXPECT_LT((g - directly).norm(), .1 * (directly - stretched(mesh, 1.15)).norm());
+  }
+}
+
+// A factor that leads there in more than half of the steps that are left is replaced.
+TEST(Conformal_class, is_reached_in_few_steps_whatever_the_last_factor_is)
+{
+  const Mesh_view mesh = bumpy_sphere(3);
+  for (const auto& [factor, steps] : {std::pair(1.05, 5), {1.4, 8}, {1.6, 9}}) {
+    Conformal_class conformal_class(mesh);
+    CGP::internal::Snap_options options;
+    Points first = stretched(mesh, 1.1), f = stretched(mesh, factor);
+    (void)conformal_class.snap(first, options);
+    options.keep_factor = true;
+    options.max_iterations = steps;
+    EXPECT_TRUE(conformal_class.snap(f, options).converged) << factor;
   }
 }
 
