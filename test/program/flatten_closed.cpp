@@ -251,6 +251,8 @@ TEST_F(Flatten_closed, refuses_cones_that_do_not_fit)
   EXPECT_TRUE(fails(run(to + "0:350,1:350,2"), 4, "no angle for vertex 2"));
   EXPECT_TRUE(fails(run(to + "0:0,1,2"), 2, "'0:0' is not a vertex"));
   EXPECT_TRUE(fails(run(to + "x"), 2, "'x' is not a vertex"));
+  EXPECT_TRUE(fails(run(to + "0,1,2,162"), 4, "no face has a vertex 162"));
+  EXPECT_TRUE(fails(run("flatten a.off -o b.ply --cones 0,1:90"), 2, "vertex 1 is for --method"));
   EXPECT_TRUE(fails(run("flatten a.off --method cones -o b.ply"), 4, "--cut"));
   EXPECT_EQ(run(to + "0:90,1:120,2,3 --force --json b.json").code, 0);
   EXPECT_NEAR(json("b.json")["result"]["cones"]["angles"][1].get<double>(), 120, 1e-9);

@@ -259,6 +259,19 @@ Surface_file file_of(const Cut_surface& surface, Surface_file&& before, const Fl
   return file;
 }
 
+void require_possible(const Surface_input& input, const std::vector<Cone>& cones, bool makes_flat)
+{
+  const std::vector<int>& all = input.vertex_in_file;
+  for (const Cone& cone : cones) {
+    if (cone.defect && !makes_flat)
+      throw Failure(Exit_code::usage, "the angle of vertex " + std::to_string(cone.vertex) +
+                                          " is for --method cones; try: --cones without it");
+    if (std::find(all.begin(), all.end(), cone.vertex) == all.end())
+      throw unsuitable(input.file.path, "--cones: no face has a vertex " +
+                                            std::to_string(cone.vertex) + "; they count from 0");
+  }
+}
+
 void flatten(const Flatten_options& given, Session& session)
 {
   Flatten_options options = given;
@@ -266,6 +279,7 @@ void flatten(const Flatten_options& given, Session& session)
   const std::string& output = session.options().output;
   require_writable(output);
   const Surface_input input = read_input(options, session);
+  require_possible(input, options.cut.cones, options.cut.makes_flat);
   Surface_file before = input.file;
   auto [surface, flat] = open_and_flatten(input, options, session);
   if (!surface.origin.empty()) tell_charts(cut_overlaps(surface, flat), session.report());
