@@ -5,6 +5,8 @@
 #include <Quaternionic_linear_algebra/direct/sweep_nested_dissection.h>
 
 #include <cmath>
+#include <optional>
+#include <utility>
 
 namespace Conformal_geometry_processing {
 namespace internal {
@@ -25,14 +27,19 @@ internal::Elimination choose_elimination(const Sparse_pattern& pattern,
                                          const Eigen::Matrix3Xd* positions, int factorizations,
                                          const internal::Ordering_costs& costs)
 {
-  internal::Elimination by_degree(pattern, amd_ordering(pattern));
-  if (positions == nullptr ||
-      !internal::dissection_may_pay(by_degree, pattern.size(), factorizations, costs))
-    return by_degree;
-  internal::Elimination by_dissection(
-      pattern, sweep_nested_dissection(pattern, *positions, by_degree.order()));
-  if (by_dissection.operations() < by_degree.operations()) return by_dissection;
-  return by_degree;
+  if (positions == nullptr) return internal::Elimination(pattern, amd_ordering(pattern));
+  std::optional<internal::Elimination> by_degree;
+  const auto find_by_degree = [&]() -> const internal::Ordering* {
+    by_degree.emplace(pattern, amd_ordering(pattern));
+    const bool may_pay =
+        internal::dissection_may_pay(*by_degree, pattern.size(), factorizations, costs);
+    return may_pay ? &by_degree->order() : nullptr;
+  };
+  const internal::Ordering dissected = sweep_nested_dissection(pattern, *positions, find_by_degree);
+  if (dissected.empty()) return *std::move(by_degree);
+  internal::Elimination by_dissection(pattern, dissected);
+  if (by_dissection.operations() < by_degree->operations()) return by_dissection;
+  return *std::move(by_degree);
 }
 
 std::shared_ptr<const internal::Supernodal_structure> choose_structure(

@@ -216,15 +216,17 @@ void order_leaves(const Ordering& by_degree, const std::vector<int>& leaf, Order
       order[static_cast<std::size_t>(begin + taken[static_cast<std::size_t>(begin)]++)] = v;
 }
 
-/// The first cuts form a binary tree of tasks: part t is cut into the parts 2t and 2t + 1.
+/// The first cuts form a binary tree of tasks: part t is cut into the parts 2t and 2t + 1. Task 0
+/// is what another thread does at the same time.
 void dissect_in_parallel(Dissection_part&& all, int threads, Ordering& order,
-                         std::vector<int>& leaf)
+                         std::vector<int>& leaf, const std::function<void()>& beside)
 {
   constexpr int parts_at_most = 128, smallest = 1000;
   std::vector<Dissection_part> parts(parts_at_most);
   parts[1] = std::move(all);
   Task_pool pool(threads);
-  pool.run({1}, [&](int t) {
+  pool.run({0, 1}, [&](int t) {
+    if (t == 0) return beside();
     Dissection dissection(order, leaf);
     Dissection_part part = std::move(parts[static_cast<std::size_t>(t)]);
     if (2 * t >= parts_at_most || part.region.size() < smallest)
@@ -250,16 +252,27 @@ internal::Ordering sweep_nested_dissection(const Sparse_pattern& pattern,
                                            const Eigen::Matrix3Xd& positions,
                                            const internal::Ordering& by_degree)
 {
+  return sweep_nested_dissection(pattern, positions, [&] { return &by_degree; });
+}
+
+internal::Ordering sweep_nested_dissection(
+    const Sparse_pattern& pattern, const Eigen::Matrix3Xd& positions,
+    const std::function<const internal::Ordering*()>& find_by_degree)
+{
   constexpr int worth_threads = 4000;  // vertices: some milliseconds
+  const int threads = pattern.size() < worth_threads ? 1 : number_of_threads();
+  const internal::Ordering* by_degree = threads > 1 ? nullptr : find_by_degree();
+  if (threads == 1 && by_degree == nullptr) return {};
   internal::Ordering order(static_cast<std::size_t>(pattern.size()));
   std::vector<int> leaf(order.size(), -1);
   internal::Dissection_part all{graph_region(pattern, positions), pattern.size()};
-  const int threads = pattern.size() < worth_threads ? 1 : number_of_threads();
   if (threads > 1)
-    internal::dissect_in_parallel(std::move(all), threads, order, leaf);
+    internal::dissect_in_parallel(std::move(all), threads, order, leaf,
+                                  [&] { by_degree = find_by_degree(); });
   else
     internal::Dissection(order, leaf).finish(std::move(all));
-  internal::order_leaves(by_degree, leaf, order);
+  if (by_degree == nullptr) return {};
+  internal::order_leaves(*by_degree, leaf, order);
   return order;
 }
 

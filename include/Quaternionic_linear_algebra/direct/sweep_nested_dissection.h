@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace Conformal_geometry_processing {
@@ -95,6 +96,15 @@ constexpr int max_dissection_leaf = 300;
 internal::Ordering sweep_nested_dissection(const Sparse_pattern& pattern,
                                            const Eigen::Matrix3Xd& positions,
                                            const internal::Ordering& by_degree);
+
+/// \ingroup PkgLinearAlgebra
+/// \brief The same with an ordering of small regions that is yet to be found, which other threads
+/// need not wait for.
+/// \param find_by_degree returns the ordering, or null where it is good enough for the whole: the
+/// result is then empty. On one thread it is called first, on several at the same time as the cuts
+internal::Ordering sweep_nested_dissection(
+    const Sparse_pattern& pattern, const Eigen::Matrix3Xd& positions,
+    const std::function<const internal::Ordering*()>& find_by_degree);
 
 /// \ingroup PkgLinearAlgebra
 /// with `amd_ordering()` for small regions

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "quaternionic_linear_algebra/graphs.h"
+#include "quaternionic_linear_algebra/threads/threads.h"
 #include "support/spheres.h"
 
 namespace cgp_test::choose_ordering_tests {
@@ -80,6 +81,24 @@ TEST(Choose_ordering, does_not_dissect_limbs)
   const double size = by_degree / std::pow(pattern.size(), 1.5);
   EXPECT_EQ(chosen(1.01 * size), by_degree);
   EXPECT_EQ(chosen(0.99 * size), by_dissection);
+}
+
+// With several threads minimum degree and dissection run at the same time.
+TEST(Choose_ordering, is_the_same_for_any_number_of_threads)
+{
+  const Mesh_view mesh = geodesic_sphere(21);
+  const CGP::Sparse_pattern pattern = pattern_of(mesh);
+  ASSERT_GT(pattern.size(), 4000);  // enough for threads
+  for (const int factorizations : {0, 1000000}) {
+    const auto order = [&] {
+      return CGP::choose_ordering(pattern, &mesh.positions(), factorizations);
+    };
+    const CGP::internal::Ordering expected = order();
+    for (const int threads : {2, 3, 8}) {
+      const Threads setting(threads);
+      EXPECT_EQ(order(), expected);
+    }
+  }
 }
 
 TEST(Choose_ordering, permutes_any_graph)
