@@ -15,13 +15,6 @@ Eigen::Map<const Eigen::MatrixXd> reals(const Block<Quaternion<double>>& V)
   return {reinterpret_cast<const double*>(V.data()), 4 * V.rows(), V.cols()};
 }
 
-/// Re <a_i, b_j>
-Eigen::MatrixXd real_products(const Block<Quaternion<double>>& a,
-                              const Block<Quaternion<double>>& b)
-{
-  return reals(a).transpose() * reals(b);
-}
-
 /// the sums of columns with real factors, V C
 Block<Quaternion<double>> real_combination(const Block<Quaternion<double>>& V,
                                            const Eigen::MatrixXd& C)
@@ -67,7 +60,7 @@ void Spin_preconditioner::choose_few(Relaxed_costs& costs)
   if (m_gradients.cols() == 0) return;
   const Vectors solved = solve(m_gradients);
   costs.block_columns += static_cast<int>(m_gradients.cols());
-  const Eigen::MatrixXd products = real_products(m_gradients, solved);
+  const Eigen::MatrixXd products = real_gram_matrix(m_gradients, solved);
   const auto energies =
       hermitian_eigen_decomposition<double>((products + products.transpose()) / 2);
   const Eigen::Index size = (energies.values.array() > least * energies.values.maxCoeff()).count();
@@ -81,7 +74,7 @@ void Spin_preconditioner::choose_few(Relaxed_costs& costs)
 // weight multiplies, though Y is old.
 void Spin_preconditioner::adopt_few()
 {
-  const Eigen::MatrixXd& B = m_few_products = real_products(m_gradients, m_few_changes);
+  const Eigen::MatrixXd& B = m_few_products = real_gram_matrix(m_gradients, m_few_changes);
   m_images = m_few_forces + real_combination(m_gradients, B);
   m_inverse.compute(Eigen::MatrixXd::Identity(B.cols(), B.cols()) + B.transpose() * B);
 }
@@ -163,7 +156,7 @@ auto Spin_preconditioner::residual_product(const Spins& y) const -> Spins
   if (leaves_few())
     add(m_few);
   else if (m_gradients.cols() > 0)
-    sum += real_combination(m_gradients, real_products(m_gradients, y)).col(0);
+    sum += real_combination(m_gradients, real_gram_matrix(m_gradients, Vectors(y))).col(0);
   return sum;
 }
 
@@ -172,9 +165,9 @@ auto Spin_preconditioner::apply(const Vectors& g, Relaxed_costs& costs) const ->
 {
   costs.solves += static_cast<int>(g.cols());
   if (m_few_changes.cols() == 0) return solve(g);
-  const Eigen::MatrixXd c = m_inverse.solve(real_products(m_few_changes, g));
+  const Eigen::MatrixXd c = m_inverse.solve(real_gram_matrix(m_few_changes, g));
   const Vectors y = solve(g - real_combination(m_images, c));
-  const Eigen::MatrixXd too_far = m_inverse.solve(real_products(m_images, y));
+  const Eigen::MatrixXd too_far = m_inverse.solve(real_gram_matrix(m_images, y));
   return y + real_combination(m_few_changes, c - too_far);
 }
 

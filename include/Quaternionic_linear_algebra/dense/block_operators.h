@@ -193,6 +193,18 @@ Block<Quaternion<FT>> gram_matrix(
 }
 
 /// \ingroup PkgLinearAlgebra
+/// \brief Returns Re A^H C: the real inner products of the columns of A with those of C.
+template <class FT>
+Block<FT> real_gram_matrix(const Block<Quaternion<FT>>& A, const Block<Quaternion<FT>>& C)
+{
+  const auto numbers = [](const Block<Quaternion<FT>>& x) {
+    return Eigen::Map<const Block<FT>>(reinterpret_cast<const FT*>(x.data()), 4 * x.rows(),
+                                       x.cols());
+  };
+  return numbers(A).transpose() * numbers(C);
+}
+
+/// \ingroup PkgLinearAlgebra
 /// \brief Computes y += x q for columns x and y; y may be a column of the same block as x.
 /// \tparam Y, X vectors or columns with their own storage
 template <class Y, class X, class FT>

@@ -178,16 +178,4 @@ auto reduced_operator(const Hermitian_sparse_matrix<Quaternion<FT>>& A,
   };
 }
 
-/// \ingroup PkgLinearAlgebra
-/// \brief Returns Re A^H C: the real inner products of the columns of A with those of C.
-template <class FT>
-Block<FT> real_gram_matrix(const Block<Quaternion<FT>>& A, const Block<Quaternion<FT>>& C)
-{
-  const auto numbers = [](const Block<Quaternion<FT>>& x) {
-    return Eigen::Map<const Block<FT>>(reinterpret_cast<const FT*>(x.data()), 4 * x.rows(),
-                                       x.cols());
-  };
-  return numbers(A).transpose() * numbers(C);
-}
-
 }  // namespace Conformal_geometry_processing
