@@ -18,11 +18,7 @@ Vector<Quaternion<double>> constant_spins(const internal::Reduced_basis<double>&
     units.row(i) << Quaternion<double>{1, 0, 0, 0}, Quaternion<double>{0, 1, 0, 0},
         Quaternion<double>{0, 0, 1, 0}, Quaternion<double>{0, 0, 0, 1};
   const Block<Quaternion<double>> rest = units - basis.project(units);
-  Block<double> defect = Block<double>::Zero(4, 4);
-  for (int i = 0; i < n; ++i)
-    for (int a = 0; a < 4; ++a)
-      for (int b = 0; b < 4; ++b) defect(a, b) += dot(rest(i, a), rest(i, b));
-  const auto eigen = hermitian_eigen_decomposition(defect);
+  const auto eigen = hermitian_eigen_decomposition(real_gram_matrix(rest, rest));
   const double rounding = 1e-20 * n;
   const Eigen::Index count = (eigen.values.array() <= rounding).count();
   Vector<Quaternion<double>> spins(count);
@@ -31,13 +27,6 @@ Vector<Quaternion<double>> constant_spins(const internal::Reduced_basis<double>&
     spins[k] = {q[0], q[1], q[2], q[3]};
   }
   return spins;
-}
-
-void require_on_faces(const Curvature_potential& rho)
-{
-  if (rho.on != Curvature_potential::On::faces)
-    throw Precondition_error("solve_dirac_equation",
-                             "the generalized eigenproblem (5.2) needs rho on faces");
 }
 
 void solve_generalized_dirac(internal::Dirac_system& system, const Curvature_potential& rho,
@@ -173,7 +162,9 @@ void require_generalized(const Dirac_system& system, const Curvature_potential& 
   if (!system.is_closed())
     throw Precondition_error("solve_dirac_equation",
                              "the generalized problem is for closed surfaces only");
-  require_on_faces(rho);
+  if (rho.on != Curvature_potential::On::faces)
+    throw Precondition_error("solve_dirac_equation",
+                             "the generalized eigenproblem (5.2) needs rho on faces");
 }
 
 void solve_with_positions(Dirac_system& system, const Curvature_potential& rho, Dirac_solution& s)

@@ -30,11 +30,6 @@ namespace Conformal_geometry_processing {
 Vector<Quaternion<double>> constant_spins(const internal::Reduced_basis<double>& basis);
 
 /// \ingroup PkgSpin
-/// \throw Precondition_error if rho is on vertices: K of the generalized problem is then not
-/// Hermitian
-void require_on_faces(const Curvature_potential& rho);
-
-/// \ingroup PkgSpin
 /// \brief replaces a solution of the standard problem by that of the generalized one, X lambda = g
 /// K lambda with K = B^H M_F (D - R) [CGP (5.2)], if the latter is reliable.
 ///
@@ -49,7 +44,7 @@ void require_on_faces(const Curvature_potential& rho);
 /// \param system of a closed surface
 /// \param s a converged solution of the standard problem; unchanged if the generalized one is
 /// rejected
-/// \pre `require_on_faces(rho)` holds
+/// \pre rho is on faces: on vertices K is not Hermitian
 void solve_generalized_dirac(internal::Dirac_system& system, const Curvature_potential& rho,
                              const Dirac_options& options, internal::Dirac_solution& s,
                              const internal::Go_further& go_further);
