@@ -9,8 +9,6 @@
 #include <Conformal_geometry_processing/painting/image_filters.h>
 #include <Quaternionic_linear_algebra/exceptions.h>
 
-#include <CGAL/number_utils.h>
-
 #include <boost/property_map/property_map.hpp>
 
 #include <Eigen/Core>
@@ -66,8 +64,7 @@ void filter_curvature(const TriangleMesh& mesh, VertexMap values, Curvature_band
   const std::string function = "filter_curvature";
   const Graph_view<TriangleMesh> graph(mesh, np, function);
   require_surface(graph.view(), function);
-  Eigen::VectorXd v(graph.view().size_of_vertices());
-  for (int i = 0; i < v.size(); ++i) v[i] = CGAL::to_double(get(values, graph.vertex(i)));
+  Eigen::VectorXd v = internal::read_vertex_numbers(graph, values);
   internal::refuse_if_any(
       static_cast<int>(v.size()), [&](int i) { return !std::isfinite(v[i]); },
       internal::name_of_vertex, function, "#value not finite", "finite values are needed");

@@ -8,8 +8,6 @@
 #include <Quaternionic_linear_algebra/algebra/Moebius_map.h>
 #include <Quaternionic_linear_algebra/exceptions.h>
 
-#include <CGAL/number_utils.h>
-
 #include <cmath>
 #include <string>
 
@@ -99,10 +97,8 @@ template <class TriangleMesh, class Point,
 internal::Moebius_report invert_in_sphere(TriangleMesh& mesh, const Point& center, double radius,
                                           const NamedParameters& np = parameters::default_values())
 {
-  const auto traits = internal::geometry_traits<TriangleMesh>(np);
-  const Eigen::Vector3d c(CGAL::to_double(traits.compute_x_3_object()(center)),
-                          CGAL::to_double(traits.compute_y_3_object()(center)),
-                          CGAL::to_double(traits.compute_z_3_object()(center)));
+  const Eigen::Vector3d c =
+      internal::coordinates_of(center, internal::geometry_traits<TriangleMesh>(np));
   if (!(radius > 0) || !std::isfinite(radius) || !c.allFinite())
     throw Precondition_error("invert_in_sphere", "the center must be finite, and the radius, " +
                                                      std::to_string(radius) + ", positive");

@@ -110,16 +110,13 @@ Curvature_potential read_curvature_potential(const Graph_view<TriangleMesh>& gra
   constexpr bool on_faces = std::is_same_v<Key, typename Graph_view<TriangleMesh>::face_descriptor>;
   static_assert(on_vertices || on_faces,
                 "the key type of rho must be the vertex or the face descriptor of the mesh");
-  const Mesh_view& mesh = graph.view();
-  Eigen::VectorXd values(on_vertices ? mesh.size_of_vertices() : mesh.size_of_faces());
-  for (int i = 0; i < values.size(); ++i) {
-    if constexpr (on_vertices)
-      values[i] = CGAL::to_double(get(rho, graph.vertex(i)));
-    else
-      values[i] = CGAL::to_double(get(rho, graph.face(i)));
+  if constexpr (on_vertices) {
+    return Curvature_potential::on_vertices(read_vertex_numbers(graph, rho));
+  } else {
+    Eigen::VectorXd values(graph.view().size_of_faces());
+    for (int f = 0; f < values.size(); ++f) values[f] = CGAL::to_double(get(rho, graph.face(f)));
+    return Curvature_potential::on_faces(std::move(values));
   }
-  return {on_vertices ? Curvature_potential::On::vertices : Curvature_potential::On::faces,
-          std::move(values)};
 }
 
 /// \brief the index of a vertex in the view. Only compares descriptors, because what is not a
