@@ -2,6 +2,7 @@
 // Tests include/Conformal_geometry_processing/spin/Relaxed_scales.h
 #include <Conformal_geometry_processing/measure/alignment.h>
 #include <Conformal_geometry_processing/spin/Relaxed_scales.h>
+#include <Conformal_geometry_processing/spin/Relaxed_surface.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
 
 #include <gtest/gtest.h>
@@ -34,6 +35,26 @@ TEST(Relaxed_scales, keeps_to_the_bound)
   EXPECT_GE(scales.excess(), .99);
   EXPECT_LE(scales.spins().costs().factorizations, 5);
   EXPECT_LE(scales.spins().costs().solves, 100);
+}
+
+// Of rho as much is kept as in steps that are solved further.
+TEST(Relaxed_scales, leaves_what_is_negligible)
+{
+  for (const Mesh_view& mesh : {ellipsoid(3), perturbed(ellipsoid(3), .05)})
+    for (const double bound : {1.3, 2.}) {
+      Dirac_system system(mesh);
+      const Scale_control control{bound, {}, {}};
+      const auto kept = [&](double negligible) {
+        CGP::internal::Relaxed_scales_options options;
+        options.spins.negligible = negligible;
+        Relaxed_scales scales(system, waves_on(mesh, 3), control, {}, options);
+        EXPECT_EQ(scales.run(), End::within_bound);
+        return scales.scales().kept_norm;
+      };
+      const double all = kept(0);
+      EXPECT_NEAR(kept(CGP::internal::Relaxed_surface::negligible(system, control)), all,
+                  .007 * all);
+    }
 }
 
 // For what is changed after the steps; the larger of two rooms counts.
