@@ -236,6 +236,24 @@ TEST(Nearest_spin_transformation_search, refuses_a_negative_weight_of_normals)
   }
 }
 
+// Also where the first steps of the search lead away from the surface with the curvature wanted.
+TEST(Nearest_spin_transformation_search, comes_nearer_steadily_with_the_bound)
+{
+  const Mesh_view mesh = icosphere(2);
+  Points target = mesh.positions();
+  for (auto p : target.colwise()) p *= 1 + .25 * std::sin(3 * p.x() + 1) * std::cos(2 * p.y());
+  double last = .015;
+  for (const double bound : {1.06, 1.1, 1.125, 1.133, 1.15}) {
+    CGP::Nearest_spin_options options;
+    options.surface.scales.bound = bound;
+    const Nearest_spin_result found = nearest(mesh, target, options);
+    EXPECT_TRUE(found.report);
+    EXPECT_LT(found.distance, last) << bound;
+    EXPECT_GT(found.distance, last / 1.5) << bound;
+    last = found.distance;
+  }
+}
+
 TEST(Nearest_spin_transformation_search, keeps_lengths_within_a_bound)
 {
   const Mesh_view mesh = bumpy_sphere(2);
