@@ -4,9 +4,9 @@
 # Versions: Surface Evolver 2.70 (Debian evolver-nox 2.70+ds-8+b1).
 # Expected: gauss_curvature_integral, "the total Gaussian curvature", is the sum of what angles lack
 # at inner vertices: 0 on a flat square, and some 4 pi of a sphere. Its manual says "plus 2 pi chi".
-# Seen: minus 2 pi chi. A square has -2 pi, a hemisphere of eight faces of an octahedron less than
-# nothing, and on a closed surface, where it looks at fixed vertices alone, it is 0.
-# star_gauss_curvature takes all that the angles at a boundary lack.
+# Seen: minus 2 pi chi. A square has -2 pi, the upper half of an octahedron -4/3 pi in place of 2/3 pi,
+# and a closed surface 0, since only fixed vertices are looked at. star_gauss_curvature is right there,
+# and takes all that the angles at a boundary lack.
 # Met: energies of surfaces in the Evolver, which minimises Willmore's as well.
 set -euo pipefail
 
