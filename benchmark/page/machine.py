@@ -38,11 +38,17 @@ def processor():
     return platform.processor()
 
 
-def compiler(folder):
+def setting(folder, name):
+    """What CMake was told."""
     for line in (folder / "CMakeCache.txt").read_text(encoding="utf-8").splitlines():
-        if line.startswith("CMAKE_CXX_COMPILER:"):
-            return first_line(line.split("=", 1)[1], "--version")
-    return "unknown"
+        if line.startswith(f"{name}:"):
+            return line.split("=", 1)[1]
+    return ""
+
+
+def compiler(folder):
+    name = setting(folder, "CMAKE_CXX_COMPILER")
+    return first_line(name, "--version") if name else "unknown"
 
 
 def blas(program):

@@ -25,11 +25,11 @@ def met(m):
 
 def exponent_table(m):
     """Of time and memory in the number of vertices, on spheres from 131k faces on."""
-    models = dict.fromkeys(row["model"] for row in m.measured("transform"))
-    return table(["model", "time", "memory"], [
-        [model, *("" if slope is None else f"{slope:.2f}" for slope in (
-            m.sphere_exponent("transform", model, lambda row, key=key: row[key], 100_000)
-            for key in ("seconds", "bytes")))] for model in models])
+    slopes = {model: [m.sphere_exponent("transform", model, lambda row, key=key: row[key], 100_000)
+                      for key in ("seconds", "bytes")]
+              for model in dict.fromkeys(row["model"] for row in m.measured("transform"))}
+    return table(["model", "time", "memory"], [[model, *(f"{slope:.2f}" for slope in own)]
+                                               for model, own in slopes.items() if None not in own])
 
 
 def original_table(m):

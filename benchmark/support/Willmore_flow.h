@@ -18,12 +18,11 @@ class Willmore_flow {
       : m_mesh(mesh), m_transformation(mesh, with(tolerance, solvers))
   {}
 
-  /// curvature, matrices, factors, eigenvector, positions and certificate
+  /// curvature, matrices, factors, eigenvector, positions and certificate, as a step of a flow
   CGP::Spin_report step(double tau)
   {
     m_transformation.set_positions(m_mesh.positions());
-    CGP::Spin_result result = m_transformation.transform(
-        CGP::Curvature_potential::on_vertices(-tau * CGP::mean_curvature(m_mesh)));
+    CGP::Spin_result result = m_transformation.closed_step(-tau * CGP::mean_curvature(m_mesh));
     m_mesh.set_positions(std::move(result.positions));
     return result.report;
   }

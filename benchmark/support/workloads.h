@@ -1,11 +1,14 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #pragma once
 
+#include <Conformal_geometry_processing/mesh/Mesh_component.h>
+#include <Conformal_geometry_processing/mesh/morton_order.h>
 #include <Conformal_geometry_processing/operators/Curvature_potential.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "Off_file.h"
 #include "support/spheres.h"
@@ -37,7 +40,7 @@ inline CGP::Mesh_view in_unit_frame(const CGP::Mesh_view& mesh)
 /// \brief the mesh of a name, in the unit frame.
 ///
 /// `81` is the bumpy sphere of that frequency, `bear.off` a file, `bear.off:2` that file with every
-/// face split in four, twice.
+/// face split in four, twice; files in the order in which the program hands meshes to the library.
 inline CGP::Mesh_view make_mesh(const std::string& name)
 {
   if (name.find_first_not_of("0123456789") == std::string::npos)
@@ -46,7 +49,8 @@ inline CGP::Mesh_view make_mesh(const std::string& name)
   CGP::Mesh_view mesh = read_off(colon == std::string::npos ? name : name.substr(0, colon + 4));
   const int splits = colon == std::string::npos ? 0 : std::stoi(name.substr(colon + 5));
   for (int i = 0; i < splits; ++i) mesh = cgp_test::subdivided(mesh);
-  return in_unit_frame(mesh);
+  const std::vector<char> all(mesh.corners().size(), 1);
+  return in_unit_frame(in_morton_order(CGP::internal::selected_faces(mesh, all)).mesh);
 }
 
 /// \brief rho on faces, with mean zero: amplitude (sin(3x + 1/2) cos 2y + 0.6 sin(4z + x)) less its

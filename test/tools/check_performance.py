@@ -63,7 +63,7 @@ VERDICTS = {  # beginning of the statement: (met, part of what is shown)
     "Eigen": (None, "not measured"),
     "thesis recipe": (False, "4.00 (20)"),
     "implementation of 2011 / first transformation, time": (False, "0.20 (20), best 2.19"),
-    "two threads, first": (True, "1.50 (20)"),
+    "two threads, first": (False, "1.50 (20)"),
     "assembly": (True, "1.0"),
 }
 
@@ -128,7 +128,7 @@ def check_rows():
 
 def check_page():
     blocks = performance_page.blocks(ROWS)
-    if "| **not met** |" not in blocks["targets"] or "9 of 13 targets" not in blocks["met"]:
+    if "| **not met** |" not in blocks["targets"] or "7 of 13 targets" not in blocks["met"]:
         yield f"the page does not count targets: {blocks['met']}"
     if len(performance_page.figures(ROWS)) != 6:
         yield "figures are missing"
