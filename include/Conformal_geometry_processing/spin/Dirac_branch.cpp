@@ -78,10 +78,9 @@ bool Dirac_branch::turns_off(const Branch_point& from, const Branch_point& to) c
 {
   const double shortest = 1. / 16, greatest_bend = 0.2, step = to.t - from.t;
   if (step <= shortest) return false;
-  const auto mean = [&](const Quaternion_vector<double>& lambda) {
-    return potential_quotient(m_system.surface(), m_rho, lambda);
-  };
-  const double expected = -step * (mean(in_span(from)) + mean(m_s.lambda)) / 2;
+  const double before = m_gram.quotient(0, from.c) - m_gram.quotient(1, from.c),
+               after = potential_quotient(m_system.surface(), m_rho, m_s.lambda);
+  const double expected = -step * (before + after) / 2;
   return std::abs(to.gamma - from.gamma - expected) > greatest_bend * to.least_gap;
 }
 
