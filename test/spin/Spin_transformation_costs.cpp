@@ -52,6 +52,54 @@ TEST(Spin_transformation_costs, are_all_in_the_report)
   }
 }
 
+/// the default solvers, of which those of X tell how many hold a factor
+struct Watched_solver_traits {
+  inline static int held = 0;     // factors of X
+  inline static int beside = -1;  // these, at the last factorization of another matrix
+
+  template <class Scalar>
+  class Solver : public CGP::Default_solver_traits::Solver<Scalar> {
+    using Parent = CGP::Default_solver_traits::Solver<Scalar>;
+
+   public:
+    auto factorize(const CGP::Hermitian_sparse_matrix<Scalar>& A, const Eigen::VectorXd& shift)
+    {
+      hold(true);
+      return Parent::factorize(A, shift);
+    }
+    void release()
+    {
+      hold(false);
+      Parent::release();
+    }
+
+   private:
+    void hold(bool holds)
+    {
+      if (std::is_same_v<Scalar, double>) {
+        beside = held;
+      } else {
+        held += static_cast<int>(holds) - static_cast<int>(m_holds);
+        m_holds = holds;
+      }
+    }
+
+    bool m_holds = false;
+  };
+};
+
+TEST(Spin_transformation_costs, are_those_of_no_factor_of_X_where_the_surface_is_judged)
+{
+  CGP::Spin_transformation_options options;
+  options.scales.bound = 2;
+  options = with_solvers<Watched_solver_traits>(options);
+  const Mesh_view mesh = perturbed(icosphere(3), .02);
+  const CGP::Spin_report report =
+      CGP::Spin_transformation(mesh, options).transform(waves(mesh, 1)).report;
+  EXPECT_GE(report.factorizations, 1);
+  EXPECT_EQ(Watched_solver_traits::beside, 0);
+}
+
 TEST(Spin_transformation_costs, are_all_in_the_report_of_other_problems)
 {
   CGP::Spin_transformation_options generalized, smallest;

@@ -106,9 +106,13 @@ Spin_result Spin_transformation::relaxed(const Curvature_potential& rho,
   if (!m_options.exact_conformal_class)  // told from a class nearby
     search_options.spins.negligible = internal::Relaxed_surface::negligible(system(), control);
   internal::Relaxed_surface search(*this, wanted, control, search_options);
-  Spin_result result = search.surface(
-      start, wanted, [this](auto found) { return surface_of(std::move(found)); },
-      m_visits.guarded(go_further));
+  const auto integrated = [this](internal::Dirac_solution found) {
+    // The factor of the Laplacian takes the place of that of X, which is made anew in the rare case
+    // that the search goes on.
+    if (m_is_last && !has_loops()) system().release();
+    return surface_of(std::move(found));
+  };
+  Spin_result result = search.surface(start, wanted, integrated, m_visits.guarded(go_further));
   if (!result.report.cancelled) tell_shares(search, wanted, control, result.report);
   auto& fault = result.report.boundary_fault;
   if (start.is_ambiguous && fault == Spin_report::Boundary_fault::none)
