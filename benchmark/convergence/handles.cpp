@@ -40,7 +40,7 @@ void measure_edit(const std::string& surface, int n, const Mesh_view& mesh,
     rho[v] = std::sin(3 * x[0] + 1) * std::cos(2 * x[1]) + .5 * std::sin(4 * x[2]);
   }
   CGP::Spin_transformation_options options;
-  options.surface.max_period_defect = limit;
+  options.max_period_defect = limit;
   const CGP::Spin_report report = CGP::Spin_transformation(mesh, options)
                                       .transform(CGP::Curvature_potential::on_vertices(rho))
                                       .report;
