@@ -111,11 +111,16 @@ auto Relaxed_scales::step(double share, const Go_further& go_further,
   return progress.length > 0 ? End::settled : End::no_descent;
 }
 
-// Without a weight, the first part tells what all of it would do.
+// A part of rho tells what all of it would do, as logs of lengths are nearly linear in it. The
+// power and its factor are those of scans: a weight that is far too small costs steps.
 void Relaxed_scales::guess_weight()
 {
-  const double expected = m_options.stages * m_excess, slack = .9;
-  if (expected > slack) set_weight((std::min)(.035 * std::pow(expected, 2.25), 30.));
+  const double expected = m_excess * m_options.stages / m_steps;
+  const double most = 30, least_change = .5, most_change = 8;
+  const double guess = m_steps == 1
+                           ? (std::min)(.1 * std::pow(expected, 2.25), most)
+                           : m_weight * std::clamp(expected * expected, least_change, most_change);
+  set_weight((std::max)(guess, m_options.least_weight));
 }
 
 auto Relaxed_scales::run(const Go_further& go_further, const Ask& ask) -> End
@@ -157,7 +162,7 @@ auto Relaxed_scales::go_up(const Go_further& go_further, const Ask& ask) -> End
     if (ask) ask(share);
     if (i == m_options.stages) return End::settled;  // `settle()` makes the last ones
     if (const End end = step(share, go_further); end == End::cancelled) return end;
-    if (i == 1 && is_bounded()) guess_weight();
+    if (is_bounded()) guess_weight();
   }
   return End::settled;
 }
