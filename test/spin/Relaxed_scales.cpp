@@ -77,6 +77,31 @@ TEST(Relaxed_scales, guesses_the_weight_well)
   EXPECT_LE(solves, 340);
 }
 
+// From between any two of its steps.
+TEST(Relaxed_scales, are_resumed_by_another_object)
+{
+  const Mesh_view mesh = perturbed(ellipsoid(2), .05);
+  Dirac_system system(mesh);
+  const Scale_control control{1.5, {}, {}};
+  const Eigen::VectorXd rho = waves_on(mesh, 3);
+  std::vector<Relaxed_scales::Position> positions;
+  const Relaxed_scales* search = nullptr;
+  CGP::internal::Relaxed_scales_options options;
+  options.between_steps = [&] { positions.push_back(search->position()); };
+  Relaxed_scales all(system, rho, control, {}, options);
+  search = &all;
+  const End end = all.run();
+  EXPECT_GE(positions.size(), 3);
+  for (const Relaxed_scales::Position& position : positions) {
+    Dirac_system anew(mesh);
+    Relaxed_scales rest(anew, rho, control);
+    EXPECT_EQ(rest.resume(position, 1, CGP::internal::Always_go_further()), end);
+    const auto difference = components(rest.spins().lambda()) - components(all.spins().lambda());
+    EXPECT_LT(difference.cwiseAbs().maxCoeff(), 1e-9) << position.steps;
+    EXPECT_NEAR(rest.weight(), all.weight(), 1e-8 * all.weight());
+  }
+}
+
 // For what is changed after the steps; the larger of two rooms counts.
 TEST(Relaxed_scales, leaves_room_below_the_bound)
 {

@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <utility>
@@ -18,14 +19,9 @@ namespace {
 std::string head_of(const std::string& job, const Search_state& state)
 {
   const std::size_t length = 65536;
-  std::string text = nlohmann::json{{"job", job},
-                                    {"t", state.t},
-                                    {"step", state.step},
-                                    {"gamma", state.gamma},
-                                    {"weight", state.weight},
-                                    {"excess", state.excess},
-                                    {"numbers", state.values.rows()}}
-                         .dump();
+  std::string text =
+      nlohmann::json{{"job", job}, {"numbers", state.numbers}, {"rows", state.values.rows()}}
+          .dump();
   if (text.size() >= length) throw Failure(Exit_code::usage, "the formula is too long");
   text.resize(length - 1, ' ');
   return text + "\n";
@@ -56,9 +52,9 @@ Search_state Checkpoint::read(const Distributed_mesh& mesh) const
     if (json.is_discarded() || json.value("job", "") != m_job)
       throw Failure(Exit_code::unsuitable,
                     m_path + " is the checkpoint of another run; try: without --resume");
-    state.t = json["t"], state.step = json["step"], state.gamma = json["gamma"];
-    state.weight = json["weight"], state.excess = json["excess"];
-    ordered.resize(json["numbers"].get<Eigen::Index>(), ranges.size());
+    for (const auto& number : json["numbers"])  // what is not finite is null
+      state.numbers.push_back(number.is_null() ? HUGE_VAL : number.get<double>());
+    ordered.resize(json["rows"].get<Eigen::Index>(), ranges.size());
     file.seekg(static_cast<std::streamoff>(head.size() + 1 + place(ordered, ranges.begin())));
     const std::size_t size = place(ordered, ranges.size());
     if (!file.read(reinterpret_cast<char*>(ordered.data()), static_cast<std::streamsize>(size)))

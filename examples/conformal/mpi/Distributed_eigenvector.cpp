@@ -15,7 +15,6 @@
 #include <optional>
 #include <tuple>
 #include <utility>
-#include <vector>
 
 namespace conformal::mpi {
 namespace {
@@ -30,19 +29,18 @@ class Eigenvector {
  public:
   Eigenvector(const Distributed_mesh& mesh, const Solution_plan& plan, const Eigen::VectorXd& rho,
               Eigen::VectorXd areas, const Search_state& start)
-      : gamma(start.gamma),
-        m_mesh(mesh),
+      : m_mesh(mesh),
         m_plan(plan),
         m_rho(rho),
         m_areas(std::move(areas)),
         m_matrix(mesh),
         m_own(mesh.own_vertices()),
-        m_area(sum(m_areas.head(m_own).sum())),
-        m_t(start.t),
-        m_step(start.step)
+        m_area(sum(m_areas.head(m_own).sum()))
   {
     lambda = Quaternion_vector<double>::Constant(mesh.mesh().size_of_vertices(), {1, 0, 0, 0});
-    if (start.values.cols() > 0) set(start.values);
+    if (start.values.cols() == 0) return;
+    set(start.values);
+    m_t = start.numbers.at(0), m_step = start.numbers.at(1), gamma = start.numbers.at(2);
   }
 
   void solve(const CGP::Dirac_options& options, const Save& save, const Go_further& go_further,
@@ -73,7 +71,7 @@ class Eigenvector {
   double unit() const { return 4 * std::acos(-1.) / m_area; }
 
   Quaternion_vector<double> lambda;  // of the mesh of the part
-  double gamma;
+  double gamma = 0;
 
   /// rho + gamma
   Eigen::VectorXd shifted() const { return m_t * m_rho.array() + gamma; }
@@ -180,7 +178,7 @@ class Eigenvector {
 
   Search_state state() const
   {
-    return {m_t, m_step, gamma, 0, 0, CGP::components(lambda).leftCols(m_own)};
+    return {{m_t, m_step, gamma}, CGP::components(lambda).leftCols(m_own)};
   }
 
   /// takes the spins of the own vertices, 4 x their number, and those of others from their owners
@@ -219,7 +217,7 @@ class Eigenvector {
   Distributed_matrix<Quaternion<double>> m_matrix;
   std::optional<Distributed_solver<Quaternion<double>>> m_solver;
   int m_own;
-  double m_area, m_t, m_step, m_rounding = 0;
+  double m_area, m_t = 0, m_step = 1, m_rounding = 0;
 };
 
 }  // namespace

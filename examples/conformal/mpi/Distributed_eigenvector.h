@@ -11,15 +11,14 @@
 #include <Eigen/Core>
 
 #include <functional>
+#include <vector>
 
 namespace conformal::mpi {
 
 /// where a search is, from which it can be gone on
 struct Search_state {
-  double t = 0, step = 1, gamma = 0;  ///< on the branch of an eigenvector
-  double weight = 0, excess = 0;      ///< see `CGP::internal::Relaxed_scales::State`
-  /// a column for each own vertex: the spin and, with a bound on lengths, rho'; none: at the start
-  Eigen::MatrixXd values = {};
+  std::vector<double> numbers = {};  ///< in an order that the search knows
+  Eigen::MatrixXd values = {};       ///< a column for each own vertex; none: at the start
 };
 
 using Go_further = std::function<bool(const CGP::Eigensolver_progress&)>;

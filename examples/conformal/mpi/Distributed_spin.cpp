@@ -151,25 +151,56 @@ CGP::Spin_result unbounded(const Distributed_mesh& mesh, const Solution_plan& pl
   return surface_of(mesh, plan, areas, std::move(lambda), report);
 }
 
-Search_state saved(const Distributed_mesh& mesh, const CGP::internal::Relaxed_scales::State& at)
+using Search = CGP::internal::Relaxed_surface;
+
+Search_state saved(const Distributed_mesh& mesh, const Search::Position& at)
 {
-  Search_state state;
-  state.weight = at.weight;
-  state.excess = at.excess;
-  state.values.resize(5, mesh.own_vertices());
-  state.values.topRows(4) = CGP::components(at.lambda).leftCols(mesh.own_vertices());
-  state.values.row(4) = at.rho.head(mesh.own_vertices()).transpose();
-  return state;
+  const CGP::internal::Relaxed_scales::Position& of = at.scales;
+  const CGP::internal::Relaxed_scales::State& best = of.best ? *of.best : of.state;
+  const bool has_response = of.response.size() > 0;
+  const Eigen::Index own = mesh.own_vertices();
+  const auto spins = [&](const Quaternion_vector<double>& all) -> Eigen::MatrixXd {
+    return CGP::components(all).leftCols(own);
+  };
+  const auto row = [&](const Eigen::VectorXd& all) { return all.head(own).transpose(); };
+  Search_state to;
+  to.numbers = {1. * at.tries,   at.stiffness,          at.shear,          of.way,
+                of.room,         1. * of.steps,         1. * of.spent,     of.factored.moved,
+                of.state.weight, of.state.excess,       of.best ? 1. : 0., best.weight,
+                best.excess,     has_response ? 1. : 0.};
+  to.values.resize(16, own);
+  to.values << spins(of.state.lambda), row(of.state.rho), row(of.factored.rho),
+      row(of.factored.shift), spins(best.lambda), row(best.rho),
+      spins(has_response ? of.response : of.state.lambda);
+  return to;
 }
 
-CGP::internal::Relaxed_scales::State resumed(const Distributed_mesh& mesh, const Search_state& from)
+Search::Position resumed(const Distributed_mesh& mesh, const Search_state& from)
 {
-  Eigen::MatrixXd values(5, mesh.mesh().size_of_vertices());
-  values.leftCols(mesh.own_vertices()) = from.values;
-  mesh.update(values);
-  Quaternion_vector<double> lambda(values.cols());
-  CGP::components(lambda) = values.topRows(4);
-  return {std::move(lambda), values.row(4), from.weight, from.excess};
+  const int own = mesh.own_vertices();
+  Eigen::MatrixXd rows(16, mesh.mesh().size_of_vertices());
+  rows.leftCols(own) = from.values;
+  mesh.update(rows);
+  rows.row(6).tail(rows.cols() - own).setZero();  // it is summed over
+  const auto spins = [&](Eigen::Index first) {
+    Quaternion_vector<double> all(rows.cols());
+    CGP::components(all) = rows.middleRows(first, 4);
+    return all;
+  };
+  const std::vector<double>& n = from.numbers;
+  Search::Position at;
+  at.tries = static_cast<int>(n[0]), at.stiffness = n[1], at.shear = n[2];
+  at.scales = {{spins(0), rows.row(4), n[8], n[9]},
+               std::nullopt,
+               {},
+               {rows.row(5), rows.row(6), n[7]},
+               n[3],
+               n[4],
+               static_cast<int>(n[5]),
+               static_cast<int>(n[6])};
+  if (n[10] > 0) at.scales.best = {spins(7), rows.row(11), n[11], n[12]};
+  if (n[13] > 0) at.scales.response = spins(12);
+  return at;
 }
 
 /// the surface of `CGP::internal::Relaxed_scales`
@@ -182,16 +213,13 @@ CGP::Spin_result bounded(const Distributed_mesh& mesh, const Solution_plan& plan
   CGP::internal::Dirac_system system(faces, {}, "spin", part_solvers(mesh, plan), mesh.part());
   CGP::internal::Scale_control control;
   control.bound = request.bound;
-  std::optional<CGP::internal::Relaxed_surface> search;
+  std::optional<Search> search;
   CGP::internal::Relaxed_scales_options options;
-  options.spins.negligible = CGP::internal::Relaxed_surface::negligible(system, control);
-  options.is_met = [&] {
-    save(saved(mesh, search->scales().state()));
-    return true;
+  options.spins.negligible = Search::negligible(system, control);
+  options.between_steps = [&] {
+    if (const auto position = search->position()) save(saved(mesh, *position));
   };
   search.emplace(system, rho, control, options);
-  CGP::internal::Closing_start from;
-  if (start.values.cols() > 0) from.resumed = resumed(mesh, start);
   const auto surface = [&](CGP::internal::Dirac_solution found) -> CGP::Spin_result {
     CGP::Spin_report report;
     static_cast<CGP::internal::Dirac_evidence&>(report) = found;
@@ -200,10 +228,12 @@ CGP::Spin_result bounded(const Distributed_mesh& mesh, const Solution_plan& plan
     if (report.cancelled) return {{}, std::move(found.lambda), report};
     return surface_of(mesh, plan, areas, std::move(found.lambda), report);
   };
-  CGP::Spin_result result =
-      search->surface(from, rho, surface, [&](const CGP::Eigensolver_progress& progress) {
-        return broadcast(rank() == 0 && go_further(progress));
-      });
+  const auto goes_further = [&](const CGP::Eigensolver_progress& progress) {
+    return broadcast(rank() == 0 && go_further(progress));
+  };
+  CGP::Spin_result result = start.values.cols() > 0
+                                ? search->resumed(resumed(mesh, start), rho, surface, goes_further)
+                                : search->surface({}, rho, surface, goes_further);
   if (result.report.cancelled) return result;
   result.report.eigenvalue = system.mean(search->scales().spins().rho() - rho);
   result.report.scales = search->kept(rho);

@@ -123,12 +123,33 @@ void Relaxed_scales::guess_weight()
   set_weight((std::max)(guess, m_options.least_weight));
 }
 
+auto Relaxed_scales::position() const -> Position
+{
+  return {state(), m_best, m_response, m_spins.factored(), m_way, m_room, m_steps, m_spent};
+}
+
+auto Relaxed_scales::resume(const Position& position, double factor, const Go_further& go_further)
+    -> End
+{
+  m_spins.stiffen(factor);
+  restart(position.state);
+  m_spins.factorize_at(position.factored);
+  m_best = position.best;
+  m_response = position.response;
+  m_way = position.way;
+  m_room = position.room;
+  m_steps = position.steps;
+  m_spent = position.spent;
+  return m_end = settle(go_further);
+}
+
 auto Relaxed_scales::run(const Go_further& go_further, const Ask& ask) -> End
 {
   m_best.reset();
   set_weight(is_bounded() ? m_options.least_weight : 0);
   m_way = 0;
   m_steps = 0;
+  m_response.resize(0);
   m_spins.restart(m_spins.start(), m_rho / m_options.stages);
   m_end = go_up(go_further, ask);
   if (m_end != End::cancelled) m_end = settle(go_further);
@@ -152,6 +173,7 @@ auto Relaxed_scales::go_on(const Go_further& go_further) -> End
   if (is_bounded()) set_weight((std::max)(m_weight, m_options.least_weight));
   m_best.reset();
   m_steps = 0;
+  m_response.resize(0);
   return m_end = settle(go_further);
 }
 
@@ -170,8 +192,8 @@ auto Relaxed_scales::go_up(const Go_further& go_further, const Ask& ask) -> End
 auto Relaxed_scales::settle(const Go_further& go_further) -> End
 {
   m_spins.set_tolerance(m_options.last_tolerance);
-  m_response.resize(0);
   while (m_steps < m_options.max_steps && !is_spent()) {
+    m_options.between_steps();
     const End end = step(1, go_further, log_weight());
     if (end == End::cancelled) return end;
     const bool is_met = m_options.is_met();

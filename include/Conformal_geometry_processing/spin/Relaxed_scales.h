@@ -32,6 +32,7 @@ struct Relaxed_scales_options {
   /// asked after each step, and may change weights of other residuals: whether these are met, as
   /// far as they have to be
   std::function<bool()> is_met = [] { return true; };
+  std::function<void()> between_steps = [] {};  ///< may ask for `Relaxed_scales::position()`
 };
 
 /// \brief the `Relaxed_spins` of rho with a `Scale_residual` of the least weight w with which
@@ -56,6 +57,17 @@ class Relaxed_scales {
     double weight, excess;
   };
 
+  /// \brief where a search is between two steps, with all that the next ones depend on but its
+  /// problem and the weights of the misfit: from there, another object takes the same ones.
+  struct Position {
+    State state;
+    std::optional<State> best;      // within the bound
+    Relaxed_spins::Spins response;  // to log w, or empty
+    Spin_preconditioner::Origin factored;
+    double way, room;
+    int steps, spent;
+  };
+
   /// \param rho wanted, |V|, in 1/length of the system
   /// \param others further residuals; they, system and control must outlive the object
   Relaxed_scales(Dirac_system& system, const Eigen::VectorXd& rho, const Scale_control& control,
@@ -71,6 +83,13 @@ class Relaxed_scales {
   /// \brief goes on from the present spins, as after residuals have changed a little.
   /// \throw as `run()`
   End go_on(const Go_further& go_further = Always_go_further());
+
+  Position position() const;
+
+  /// \brief goes on from another object's position.
+  /// \param factor by which it had multiplied the weights of the misfit
+  /// \throw as `run()`
+  End resume(const Position& position, double factor, const Go_further& go_further);
 
   /// \brief likewise for another rho that is near.
   End follow(const Eigen::VectorXd& rho, const Go_further& go_further = Always_go_further());

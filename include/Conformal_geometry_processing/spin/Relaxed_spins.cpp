@@ -10,7 +10,6 @@
 
 #include <cmath>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace Conformal_geometry_processing::internal {

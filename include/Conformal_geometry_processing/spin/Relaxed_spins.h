@@ -149,6 +149,16 @@ class Relaxed_spins {
   /// \param lambda whose length does not matter where it is gauge
   void restart(const Spins& lambda, const Eigen::VectorXd& rho);
 
+  /// where the factor for the next step was made
+  Spin_preconditioner::Origin factored() const { return m_preconditioner.origin(); }
+
+  /// \brief makes that of another search.
+  /// \throw Solver_error if the factorization fails
+  void factorize_at(const Spin_preconditioner::Origin& origin)
+  {
+    m_preconditioner.factorize_at(origin, m_costs);
+  }
+
   /// the terms here
   Terms terms() const { return terms_of(here()); }
 

@@ -64,17 +64,36 @@ void Relaxed_surface::close_within_bound(const Go_further& go_further)
 Spin_result Relaxed_surface::surface(const Closing_start& start, const Eigen::VectorXd& rho,
                                      const Surface_of& surface_of, const Go_further& go_further)
 {
-  if (start.resumed) {
-    m_scales.restart(*start.resumed);
-    m_scales.go_on(go_further);
-  } else if (start.is_guided()) {
+  m_tries = 0;
+  if (start.is_guided())
     m_scales.run(go_further);
-  } else {
+  else
     begin_at(start.lambda, rho, go_further);
-  }
+  return finished(start.is_guided(), rho, surface_of, go_further);
+}
+
+auto Relaxed_surface::position() const -> std::optional<Position>
+{
+  if (m_asks_for_less) return std::nullopt;
+  return Position{m_scales.position(), m_tries, m_stiffness, m_shear_before};
+}
+
+Spin_result Relaxed_surface::resumed(const Position& position, const Eigen::VectorXd& rho,
+                                     const Surface_of& surface_of, const Go_further& go_further)
+{
+  m_tries = position.tries;
+  m_stiffness = position.stiffness;
+  m_shear_before = position.shear;
+  m_scales.resume(position.scales, m_stiffness, go_further);
+  return finished(true, rho, surface_of, go_further);
+}
+
+Spin_result Relaxed_surface::finished(bool is_guided, const Eigen::VectorXd& rho,
+                                      const Surface_of& surface_of, const Go_further& go_further)
+{
   close_within_bound(go_further);
   Spin_result result = surface_of(m_scales.solution());
-  if (start.is_guided()) close_up(surface_of, go_further, result);
+  if (is_guided && !is_in_vain(result)) close_up(surface_of, go_further, result);
   if (m_is_bounded && shear(result.report) > 1) ask_for_less(rho, surface_of, go_further, result);
   return result;
 }
@@ -112,6 +131,7 @@ void Relaxed_surface::ask_for_less(const Eigen::VectorXd& rho, const Surface_of&
 {
   const double wanted_shear = .95, most_at_once = .7, least = .2;
   const Relaxed_scales::State all = m_scales.state();
+  m_asks_for_less = true;
   double share = 1;
   for (int power = 1; !m_scales.is_spent(); power *= 2) {
     share *= (std::max)(most_at_once, std::pow(wanted_shear / shear(result.report), power));
@@ -130,19 +150,28 @@ void Relaxed_surface::close_up(const Surface_of& surface_of, const Go_further& g
 {
   double period_weight = Period_residual::default_weight;
   const int max_tries = 4;
-  const double most_shear = .95, least_gain = .05;
+  const double most_shear = .95;
   const auto ends = [&] { return result.report.cancelled || m_scales.is_spent(); };
-  for (int i = 0; i < max_tries && !ends(); ++i) {
+  while (m_tries < max_tries && !ends()) {
     const bool is_open = !(result.report.period_defect <= result.report.period_limit);
-    const double before = shear(result.report);
-    if (!is_open && before <= most_shear) return;
+    m_shear_before = shear(result.report);
+    if (!is_open && m_shear_before <= most_shear) return;
     if (is_open) m_periods->set_weight(period_weight *= 30);
-    m_scales.stiffen(is_open ? 1 : stiffening(before), go_further);
+    const double factor = is_open ? 1 : stiffening(m_shear_before);
+    m_stiffness *= factor;
+    ++m_tries;
+    m_scales.stiffen(factor, go_further);
     close_within_bound(go_further);
     result = surface_of(m_scales.solution());
-    const bool is_vain = !(shear(result.report) < (1 - least_gain) * before);  // slivers, say
-    if (!is_open && is_vain) return;
+    if (!is_open && is_in_vain(result)) return;
   }
+}
+
+// The last try, if there was one: slivers, say.
+bool Relaxed_surface::is_in_vain(const Spin_result& result) const
+{
+  const double least_gain = .05;
+  return m_tries > 0 && !(shear(result.report) < (1 - least_gain) * m_shear_before);
 }
 
 }  // namespace Conformal_geometry_processing::internal

@@ -21,7 +21,6 @@ namespace Conformal_geometry_processing::internal {
 struct Closing_start {
   Quaternion_vector<double> lambda = {};  ///< empty: at the guide
   bool is_ambiguous = false;              ///< another one closes up nearly as well
-  std::optional<Relaxed_scales::State> resumed = std::nullopt;  ///< of a search that was ended
 
   bool is_guided() const { return lambda.size() == 0; }
 
@@ -64,6 +63,21 @@ class Relaxed_surface {
   Relaxed_scales& scales() { return m_scales; }
   const Relaxed_scales& scales() const { return m_scales; }
 
+  /// where a search for all of rho is between two steps, see `Relaxed_scales::Position`
+  struct Position {
+    Relaxed_scales::Position scales;
+    int tries = 0;  ///< with larger weights of the misfit, of which the last one is under way
+    double stiffness = 1, shear = 0;  ///< these weights, and the shear before the last try
+  };
+
+  /// none where less than rho is asked for
+  std::optional<Position> position() const;
+
+  /// \brief ends as `surface()` of another object would have that was there.
+  /// \pre there is nothing to close
+  Spin_result resumed(const Position& position, const Eigen::VectorXd& rho,
+                      const Surface_of& surface_of, const Go_further& go_further);
+
   /// goes on from spins that solve the equation of rho
   void begin_at(const Quaternion_vector<double>& lambda, const Eigen::VectorXd& rho,
                 const Go_further& go_further);
@@ -80,12 +94,17 @@ class Relaxed_surface {
  private:
   Spin_residuals closing(Spin_transformation& transformation);
   double shear(const Spin_report& report) const;
+  Spin_result finished(bool is_guided, const Eigen::VectorXd& rho, const Surface_of& surface_of,
+                       const Go_further& go_further);
+  bool is_in_vain(const Spin_result& result) const;
   void close_up(const Surface_of& surface_of, const Go_further& go_further, Spin_result& result);
   void ask_for_less(const Eigen::VectorXd& rho, const Surface_of& surface_of,
                     const Go_further& go_further, Spin_result& result);
 
   Dirac_system& m_system;
-  bool m_is_bounded;
+  bool m_is_bounded, m_asks_for_less = false;
+  int m_tries = 0;  // see `Position`
+  double m_stiffness = 1, m_shear_before = 0;
   std::optional<Period_residual> m_periods;
   Relaxed_scales m_scales;
 };

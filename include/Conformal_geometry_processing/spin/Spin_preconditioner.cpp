@@ -91,12 +91,20 @@ bool Spin_preconditioner::factorize(const Eigen::VectorXd& rho, Relaxed_costs& c
   const bool is_kept = m_system.changes() == m_factored_changes && m_moved < m_reuse &&
                        ratio < most_change && ratio > 1 / most_change;
   if (is_kept) return false;
-  m_system.set_potential(Curvature_potential::on_vertices(rho), shift, costs.seconds);
-  ++costs.factorizations;
-  m_moved = 0;
-  m_factored_stiffness = stiffness;
-  m_factored_changes = m_system.changes();
+  factorize_at({rho, shift, 0}, costs);
   return true;
+}
+
+void Spin_preconditioner::factorize_at(const Origin& origin, Relaxed_costs& costs)
+{
+  m_factored_rho = origin.rho;
+  m_factored_shift = origin.shift;
+  const auto potential = Curvature_potential::on_vertices(m_factored_rho);
+  m_system.set_potential(potential, m_factored_shift, costs.seconds);
+  ++costs.factorizations;
+  m_moved = origin.moved;
+  m_factored_stiffness = m_system.part().sum(m_factored_shift.sum());
+  m_factored_changes = m_system.changes();
 }
 
 auto Spin_preconditioner::solve(const Vectors& g) const -> Vectors

@@ -45,6 +45,17 @@ class Spin_preconditioner {
   /// \param weight w from now on
   void set_weight(double weight) { m_weight = weight, forget(); }
 
+  /// with what another object makes the same factor
+  struct Origin {
+    Eigen::VectorXd rho, shift;  ///< |V|, rho' and the diagonal that was added to X
+    double moved = 0;            ///< how far lambda has moved since
+  };
+
+  Origin origin() const { return {m_factored_rho, m_factored_shift, m_moved}; }
+
+  /// \throw Solver_error if the factorization fails
+  void factorize_at(const Origin& origin, Relaxed_costs& costs);
+
   /// adds to how far lambda has moved since the factor
   void moved(double distance) { m_moved += distance; }
 
@@ -84,6 +95,7 @@ class Spin_preconditioner {
   Spin_gauge m_gauge;
   Spin_residuals m_dense, m_few;
   double m_weight, m_reuse;
+  Eigen::VectorXd m_factored_rho, m_factored_shift;
   double m_moved = 0;
   double m_factored_stiffness = -1;
   int m_factored_changes = -1;

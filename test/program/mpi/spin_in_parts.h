@@ -39,6 +39,37 @@ class Spin_in_parts : public Program {
            std::to_string(processes);
   }
 
+  /// \brief kills one of so many processes when the checkpoint has some text: the others must not
+  /// wait for ever, and there is no output.
+  /// \param output whose checkpoint it is, without further options
+  void kill(int processes, int rank, const std::string& arguments, const std::string& output,
+            const std::string& text) const
+  {
+    const std::string killed = "kill -9 $(cat process." + std::to_string(rank) + ")";
+    const Program_run r =
+        shell(mpi(processes) + " sh -c 'echo $$ >process.$OMPI_COMM_WORLD_RANK; exec " +
+              CGP_MPI_PROGRAM + " spin \"$@\"' sh " + arguments + " -o " + output +
+              " --advanced checkpoint=0 & all=$!; until grep -qas '" + text + "' " + output +
+              ".checkpoint; do kill -0 $all || exit 99; done; " + killed + "; wait $all");
+    EXPECT_NE(r.code, 0);
+    EXPECT_NE(r.code, 99) << "too fast to be killed";
+    EXPECT_NE(r.err, "");
+    const std::string other = "process." + std::to_string(rank == 0 ? 1 : 0);
+    EXPECT_EQ(shell("for i in $(seq 600); do kill -0 $(cat " + other +
+                    ") || exit 0; sleep .1; done; exit 1")
+                  .code,
+              0);
+    EXPECT_FALSE(has(output));
+    EXPECT_FALSE(has(output + ".part"));
+  }
+
+  /// the largest distance between two vertices of files, by the diagonal
+  double difference(const std::string& a, const std::string& b) const
+  {
+    const Points p = mesh(a).positions(), q = mesh(b).positions();
+    return (p - q).colwise().norm().maxCoeff() / diagonal(p);
+  }
+
   /// whether the program on so many processes has the surface and the numbers of one.json
   void expect_same(int processes, const std::string& arguments, double tolerance) const
   {

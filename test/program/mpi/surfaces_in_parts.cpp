@@ -75,26 +75,27 @@ TEST_F(Surfaces_in_parts, keep_to_the_bound_of_one_process)
   are_same(perturbed(bumpy_sphere(2), .02), "", {2}, "--advanced solver=multigrid ");
 }
 
-// A result that does not verify leaves its checkpoint.
-TEST_F(Surfaces_in_parts, are_resumed_within_the_bound)
+// Killed in the search, or where its result closes up too little and the misfit has larger weights.
+TEST_F(Surfaces_in_parts, are_resumed_to_the_same_surface_within_the_bound)
 {
-  write_ply("a.ply", dumbbell(2));
+  write_ply("a.ply", dumbbell(3));
   const std::string bounded =
-      "a.ply --json all.json --max-scale 1.3 --amplitude 3 "
-      "--advanced checkpoint=0" +
-      wanted_rho;
+      "a.ply --json all.json --max-scale 1.3 --amplitude 3 --force" + wanted_rho;
   ASSERT_EQ(run_on(2, bounded + "-o all.ply").code, 0);
-  const Points expected = mesh("all.ply").positions();
-  const std::string closure =
-      "--limit closure=" + std::to_string(double(json("all.json")["closure_residual"]) * .3);
-  EXPECT_EQ(run_on(2, bounded + "-o b.ply " + closure).code, 1);
-  ASSERT_TRUE(has("b.ply.checkpoint"));
-  const int spent = json("all.json")["iterations"];
-  ASSERT_EQ(run_on(3, bounded + "--resume -o b.ply").code, 0);
-  EXPECT_LT(int(json("all.json")["iterations"]), spent);
-  EXPECT_LE(double(json("all.json")["scale_control"]["high"]), 1.3);
-  EXPECT_LT((mesh("b.ply").positions() - expected).colwise().norm().maxCoeff(),
-            2e-2 * diagonal(expected));
+  const double closure = json("all.json")["closure_residual"];
+  const std::string near = "--limit closure=" + std::to_string(.5 * closure) + " ";
+  const auto are_resumed = [&](const std::string& arguments, const std::string& tries) {
+    ASSERT_EQ(run_on(2, arguments + "-o all.ply").code, 0);
+    const int spent = json("all.json")["iterations"];
+    kill(2, 1, arguments, "b.ply", R"("numbers":\[)" + tries);
+    ASSERT_EQ(run_on(3, arguments + "--resume -o b.ply").code, 0);
+    EXPECT_LT(int(json("all.json")["iterations"]), spent);
+    EXPECT_LE(double(json("all.json")["scale_control"]["high"]), 1.3);
+    EXPECT_LT(difference("all.ply", "b.ply"), 1e-6) << tries;
+    EXPECT_EQ(shell("rm b.ply").code, 0);
+  };
+  are_resumed(bounded, "0");
+  are_resumed(bounded + near, "[1-4]");
 }
 
 TEST_F(Surfaces_in_parts, have_handles_that_are_left_open)
@@ -103,7 +104,7 @@ TEST_F(Surfaces_in_parts, have_handles_that_are_left_open)
   for (const char* const bound : {"--max-scale none ", "--max-scale 1.3 "}) {
     const std::string arguments = open_handles + bound + wanted_rho + "--force ";
     run("spin a.ply -o one.ply --json one.json " + arguments);
-    for (const int processes : {1, 2, 3, 4}) expect_same(processes, arguments, 1e-6);
+    for (const int processes : {1, 2, 3, 4, 7}) expect_same(processes, arguments, 1e-6);
   }
 }
 
