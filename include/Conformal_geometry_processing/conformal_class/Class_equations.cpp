@@ -81,7 +81,10 @@ Eigen::VectorXd internal::Edge_scales::nearest_scales(const Points& f) const
   });
   const auto precondition = make_block_operator<double>(
       [&](const auto& r, auto& z) { z = r.array().colwise() / diagonal.array(); });
-  (void)conjugate_gradients(multiply, precondition, b, u, {1e-14, 200});
+  Conjugate_gradients_options options;
+  options.tolerance = 1e-14;
+  options.max_iterations = 200;
+  (void)conjugate_gradients(multiply, precondition, b, u, options);
   return u.col(0);
 }
 

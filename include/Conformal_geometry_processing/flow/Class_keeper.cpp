@@ -102,7 +102,12 @@ bool internal::Class_keeper::snap_to_kept(Points& f, bool only_near)
 {
   const double wide_band = 1e-3, narrow_band = 1e-5;
   Points moved = f / m_unit;
-  const Snap_options options{narrow_band / 4, 17, true, wide_band / 4, only_near};
+  Snap_options options;
+  options.tolerance = narrow_band / 4;
+  options.max_iterations = 17;
+  options.keep_factor = true;
+  options.sufficient = wide_band / 4;
+  options.only_near = only_near;
   if (!m_class.snap(moved, options).converged) return false;
   take(std::move(moved), f);
   return true;

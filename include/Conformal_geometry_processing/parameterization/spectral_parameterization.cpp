@@ -245,7 +245,9 @@ Eigen::VectorXcd least_energy_map(const Mesh_view& mesh, const std::vector<Verte
                                   const Parameterization_options& options,
                                   Parameterization_report& report, const std::string& function)
 {
-  const Subspace_options subspace{options.tolerance, options.maximum_number_of_iterations};
+  Subspace_options subspace;
+  subspace.tolerance = options.tolerance;
+  subspace.maximum_number_of_iterations = options.maximum_number_of_iterations;
   const auto graph = vertex_graph(mesh);
   Stopwatch watch;
   if (options.normals == Parameterization_options::Normals::of_faces) {
