@@ -57,8 +57,9 @@ Conformal_deformation_options conformal_deformation_options(const Graph_view<Tri
 /// ends. The report tells the share that was reached (`reached`), and is `false` unless this is 1;
 /// allow less by `limits`, with `Spin_report::Limits::realised_share`.
 ///
-/// Each step of the method costs one factorization of the sparse quaternionic matrix on the
-/// vertices and about 9 solves with it for each target.
+/// That costs one or two factorizations of the sparse quaternionic matrix on the vertices, far
+/// moves up to ten, some 100 to 400 solves with it for each, and one solve for each target in each
+/// step.
 ///
 /// \tparam TriangleMesh see \ref triangle_mesh_requirements
 /// \tparam TargetRange a range of pairs: of a vertex descriptor and a point; or of a range of

@@ -198,4 +198,22 @@ TEST(Position_residual, has_its_transpose)
   }
 }
 
+TEST(Position_residual, has_one_column_for_each_point)
+{
+  for (const Mesh_view& mesh : {perturbed(icosphere(2), .02), disk(5)}) {
+    Controlled s(mesh);
+    s.residual.set_weight(2);
+    s.residual.set_spins(nearly_one(mesh.size_of_vertices(), .1));
+    const CGP::internal::Spin_columns c = s.residual.columns();
+    EXPECT_EQ(c.columns.cols(), static_cast<Eigen::Index>(s.points.size()));
+    const auto gradients = CGP::combination(c.columns, c.factors);
+    ASSERT_EQ(gradients.cols(), s.residual.values().size());
+    for (Eigen::Index k = 0; k < gradients.cols(); ++k) {
+      const Spins g = s.residual.gradient(Eigen::VectorXd::Unit(gradients.cols(), k));
+      const Spins difference = gradients.col(k) - g;
+      EXPECT_LT(CGP::components(difference).norm(), 1e-12 * CGP::components(g).norm()) << k;
+    }
+  }
+}
+
 }  // namespace cgp_test::position_residual_tests

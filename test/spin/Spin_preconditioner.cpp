@@ -1,5 +1,6 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/spin/Period_residual.h>
+#include <Conformal_geometry_processing/spin/Relaxed_positions.h>
 #include <Conformal_geometry_processing/spin/Spin_gauge.h>
 #include <Conformal_geometry_processing/spin/Spin_preconditioner.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
@@ -7,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "spin/relaxed_surfaces.h"
+#include "support/control_points.h"
 #include "support/mesh_tools.h"
 
 #include <cstddef>
@@ -85,6 +87,37 @@ TEST(Spin_preconditioner, knows_the_few_by_their_columns)
   const Quaternion_vector<double> difference = preconditioner.residual_product(y) - expected;
   EXPECT_GT(CGP::components(expected).norm(), 0);
   EXPECT_LT(CGP::components(difference).norm(), 1e-10 * CGP::components(expected).norm());
+}
+
+// With P for (S + G G^T)^-1 and T for S^-1, P + T G G^T P is T.
+TEST(Spin_preconditioner, inverts_what_few_residuals_add)
+{
+  const Mesh_view mesh = btorus(12);
+  const int count = mesh.size_of_vertices();
+  CGP::Spin_transformation t(mesh);
+  Period_residual periods(t.system().surface(), *t.closing());
+  const auto points = one_moved(mesh, 5, .2);
+  CGP::internal::Position_residual positions(t.system().surface(), t.reconstruction(), points);
+  positions.set_targets(t.domain().frame().to_frame(CGP::internal::targets_of(points)));
+  positions.set_weight(1e4);
+  const Quaternion_vector<double> lambda =
+      Quaternion_vector<double>::Constant(count, {1, 0, 0, 0}) + .1 * random_quaternions(count, 3);
+  Spin_preconditioner with(t.system(), {&positions, &periods}, 10, .2),
+      without(t.system(), {}, 10, .2);
+  CGP::internal::Relaxed_costs costs;
+  periods.set_spins(lambda);
+  positions.set_spins(lambda);
+  for (Spin_preconditioner* p : {&without, &with})
+    p->update(lambda, Eigen::VectorXd::Zero(count), costs);
+  EXPECT_EQ(costs.block_columns, 5 + 2);
+  const CGP::internal::Spin_gauge gauge(t.system());
+  const auto g = gauge.projected_gradient(lambda, random_quaternions(count, 4));
+  const Quaternion_vector<double> y = with.apply(g, costs).col(0),
+                                  expected = without.apply(g, costs).col(0),
+                                  rest = without.apply(with.residual_product(y), costs).col(0),
+                                  difference = y + rest - expected;
+  EXPECT_GT(CGP::components(rest).norm(), .01 * CGP::components(expected).norm());
+  EXPECT_LT(CGP::components(difference).norm(), 1e-9 * CGP::components(expected).norm());
 }
 
 TEST(Spin_preconditioner, closes_surfaces_with_many_holes)

@@ -4,7 +4,6 @@
 #include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Conformal_geometry_processing/mesh/topology.h>
 #include <Conformal_geometry_processing/spin/Relaxed_positions.h>
-#include <Conformal_geometry_processing/spin/Spin_report.h>
 #include <Quaternionic_linear_algebra/algebra/rotor.h>
 #include <Quaternionic_linear_algebra/exceptions.h>
 #include <Quaternionic_linear_algebra/threads/Thread_team.h>
@@ -335,9 +334,8 @@ void Conformal_deformation::require_extent(const std::vector<Control_point>& poi
 Spin_result Conformal_deformation::present(const std::vector<Control_point>& points,
                                            double share) const
 {
-  Spin_result result = m_positions->present();
-  if (result.positions.cols() > 0) place(points, m_region ? share : 1, result);
-  return result;
+  return m_positions->present(
+      [&](Spin_result& result) { place(points, m_region ? share : 1, result); });
 }
 
 void Conformal_deformation::place(const std::vector<Control_point>& points, double share,
@@ -359,8 +357,6 @@ void Conformal_deformation::place(const std::vector<Control_point>& points, doub
     m_region->fade(result.positions, result.lambda);
     result.report.collar = m_region->collar_conformality(result.positions, result.lambda);
   }
-  certify(domain.measured(), domain.frame().to_frame(result.positions), result.lambda,
-          result.report);
   const Eigen::RowVectorXd distances =
       (positions_of(points, result.positions) - targets)
           .leftCols(targets.cols() - static_cast<Eigen::Index>(number_of_anchors()))

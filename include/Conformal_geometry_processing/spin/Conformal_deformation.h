@@ -195,8 +195,8 @@ class Conformal_deformation {
   /// the present surface after `place()`
   Spin_result present(const std::vector<Control_point>& points, double share) const;
 
-  /// \brief moves a surface to the targets by a similarity, and measures it there; with a region,
-  /// to a share of the way to them, and fades it out
+  /// \brief moves a surface to the targets by a similarity, and measures distances there; with a
+  /// region, to a share of the way to them, and fades it out
   void place(const std::vector<Control_point>& points, double share, Spin_result& result) const;
 
   std::string m_function;

@@ -32,9 +32,26 @@ Eigen::VectorXd Period_residual::change(const Spins& dlambda) const
 
 auto Period_residual::gradient(const Eigen::VectorXd& y) const -> Spins
 {
-  const Eigen::MatrixX3d edges = m_exactness.forms->combinations(y.reshaped(y.size() / 3, 3));
+  return edge_gradient(m_surface, m_lambda, edge_forces(y.reshaped(y.size() / 3, 3)));
+}
+
+Spin_columns Period_residual::columns() const
+{
+  const Eigen::Index loops = m_exactness.forms->size();
+  Spin_columns c{
+      edge_gradients(m_surface, m_lambda, edge_forces(Eigen::MatrixXd::Identity(loops, loops))),
+      Block<Quaternion<double>>::Constant(loops, 3 * loops, {})};
+  for (int axis = 0; axis < 3; ++axis)
+    c.factors.middleCols(axis * loops, loops)
+        .diagonal()
+        .setConstant(imaginary(Eigen::Vector3d::Unit(axis)));
+  return c;
+}
+
+Eigen::MatrixXd Period_residual::edge_forces(const Eigen::MatrixXd& c) const
+{
   const Eigen::VectorXd weights = std::sqrt(m_weight) / m_length * m_exactness.weights;
-  return edge_gradient(m_surface, m_lambda, weights.asDiagonal() * edges);
+  return weights.asDiagonal() * m_exactness.forms->combinations(c);
 }
 
 Eigen::VectorXd Period_residual::periods(const Eigen::MatrixX3d& edges) const
@@ -62,15 +79,10 @@ class Period_correction {
   }
 
   /// that have been needed: one for each loop, three where spins are real combinations
-  int number_of_solves() const
-  {
-    const int all = static_cast<int>(m_functions.cols());
-    return m_system.coefficients() == Coefficients::reals ? all : all / 3;
-  }
+  int number_of_solves() const { return m_solves; }
 
  private:
   Vectors solve(Vectors g) const;
-  Vectors solve_for_axes(const Vectors& g) const;
 
   const Dirac_system& m_system;
   Spin_gauge m_gauge;
@@ -78,6 +90,7 @@ class Period_correction {
   Spins m_lambda;
   Eigen::MatrixXd m_functions;  // the periods change by their products with d, in the areas
   Eigen::LDLT<Eigen::MatrixXd> m_gram;
+  int m_solves;
 };
 
 // Damped: changes of rho that move the ends of the loops a hundred times less than others would
@@ -91,9 +104,11 @@ Period_correction::Period_correction(const Dirac_system& system, const Eigen::Ve
       m_lambda(std::move(lambda))
 {
   const double damping = 0.01;
-  m_functions = system.areas().cwiseInverse().asDiagonal() *
-                energy_gradient(system.surface(), m_rho, m_lambda,
-                                solve_for_axes(gradients_of({&periods}, rho.size())));
+  const Spin_columns c = columns_of({&periods}, system.coefficients());
+  m_solves = static_cast<int>(c.columns.cols());
+  m_functions =
+      system.areas().cwiseInverse().asDiagonal() *
+      energy_gradient(system.surface(), m_rho, m_lambda, combination(solve(c.columns), c.factors));
   Eigen::MatrixXd gram = m_functions.transpose() * system.areas().asDiagonal() * m_functions;
   gram.diagonal().array() += damping * damping * gram.diagonal().maxCoeff();
   m_gram.compute(gram);
@@ -115,24 +130,6 @@ auto Period_correction::solve(Vectors g) const -> Vectors
     g.col(k) = m_gauge.projected_gradient(m_lambda, g.col(k));
   Vectors y = m_system.precondition(g);
   for (Eigen::Index k = 0; k < y.cols(); ++k) y.col(k) = m_gauge.projected(m_lambda, y.col(k));
-  return y;
-}
-
-// The axes are orthogonal to each other by right factors, with which the equations commute where
-// spins are quaternions: the gradients by one axis are those by another times a unit. One solve in
-// three is enough.
-auto Period_correction::solve_for_axes(const Vectors& g) const -> Vectors
-{
-  if (m_system.coefficients() == Coefficients::reals) return solve(g);
-  const Eigen::Index loops = g.cols() / 3;
-  const Quaternion<double> from_x_to_y{0, 0, 0, -1}, from_x_to_z{0, 0, 1, 0};
-  Vectors y(g.rows(), g.cols());
-  y.leftCols(loops) = solve(g.leftCols(loops));
-  for (Eigen::Index k = 0; k < loops; ++k)
-    for (Eigen::Index v = 0; v < g.rows(); ++v) {
-      y(v, loops + k) = y(v, k) * from_x_to_y;
-      y(v, 2 * loops + k) = y(v, k) * from_x_to_z;
-    }
   return y;
 }
 

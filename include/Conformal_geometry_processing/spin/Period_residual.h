@@ -29,6 +29,7 @@ class Period_residual : public Spin_residual {
   Eigen::VectorXd change(const Spins& dlambda) const override;
   Spins gradient(const Eigen::VectorXd& y) const override;
   bool is_few() const override { return true; }
+  Spin_columns columns() const override;  ///< one for each loop
   Eigen::Index most_one_by_one() const override { return 48; }
 
   /// \param b factor of the square of the residual
@@ -36,6 +37,9 @@ class Period_residual : public Spin_residual {
 
  private:
   Eigen::VectorXd periods(const Eigen::MatrixX3d& edges) const;
+
+  /// the sums of the forms whose work on edges is that of c on the values, c being `size()` x k
+  Eigen::MatrixXd edge_forces(const Eigen::MatrixXd& c) const;
 
   Surface_ref m_surface;
   const Exactness_constraints& m_exactness;

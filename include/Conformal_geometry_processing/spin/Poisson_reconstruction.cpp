@@ -2,6 +2,7 @@
 #include <Conformal_geometry_processing/spin/Poisson_reconstruction.h>
 
 #include <Conformal_geometry_processing/operators/cotan_laplacian.h>
+#include <Quaternionic_linear_algebra/dense/block_operators.h>
 #include <Quaternionic_linear_algebra/threads/Thread_team.h>
 
 #include <cmath>
@@ -64,19 +65,32 @@ Eigen::MatrixX3d edge_change(const Surface_ref& surface, const Quaternion_vector
 }
 
 // <y, Im(a^ e dl)> = Re(conjugate(-e a y) dl) for imaginary e and y.
+Block<Quaternion<double>> edge_gradients(const Surface_ref& surface,
+                                         const Quaternion_vector<double>& lambda,
+                                         const Eigen::MatrixXd& a)
+{
+  Block<Quaternion<double>> V = Block<Quaternion<double>>::Constant(lambda.size(), a.cols(), {});
+  for (int k = 0; k < surface.size_of_edges(); ++k) {
+    const auto [i, j] = surface.ends(k);
+    const Quaternion<double> e =
+        imaginary(Eigen::Vector3d((surface.position(j) - surface.position(i)) / -3));
+    const Quaternion<double> at_i = e * (2. * lambda[i] + lambda[j]),
+                             at_j = e * (lambda[i] + 2. * lambda[j]);
+    for (Eigen::Index c = 0; c < a.cols(); ++c) {
+      V(i, c) += a(k, c) * at_i;
+      V(j, c) += a(k, c) * at_j;
+    }
+  }
+  return V;
+}
+
 Quaternion_vector<double> edge_gradient(const Surface_ref& surface,
                                         const Quaternion_vector<double>& lambda,
                                         const Eigen::MatrixX3d& y)
 {
-  Quaternion_vector<double> q = Quaternion_vector<double>::Constant(lambda.size(), {});
-  for (int k = 0; k < surface.size_of_edges(); ++k) {
-    const auto [i, j] = surface.ends(k);
-    const Eigen::Vector3d e = (surface.position(j) - surface.position(i)) / -3;
-    const Quaternion<double> y_k = imaginary(Eigen::Vector3d(y.row(k)));
-    q[i] += imaginary(e) * (2. * lambda[i] + lambda[j]) * y_k;
-    q[j] += imaginary(e) * (lambda[i] + 2. * lambda[j]) * y_k;
-  }
-  return q;
+  Block<Quaternion<double>> axes(3, 1);
+  for (int axis = 0; axis < 3; ++axis) axes(axis, 0) = imaginary(Eigen::Vector3d::Unit(axis));
+  return combination(edge_gradients(surface, lambda, y), axes).col(0);
 }
 
 }  // namespace internal

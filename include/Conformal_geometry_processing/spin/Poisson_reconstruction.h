@@ -45,6 +45,13 @@ double closure_residual(const Surface_ref& surface, const Eigen::VectorXd& weigh
 Eigen::MatrixX3d edge_change(const Surface_ref& surface, const Quaternion_vector<double>& lambda,
                              const Quaternion_vector<double>& dlambda);
 
+/// \brief columns V such that the gradient of the sum of a_k <y, e~_k> over the edges is V y, for
+/// imaginary y: |V| x m, for each column of a.
+/// \param a |E| x m
+Block<Quaternion<double>> edge_gradients(const Surface_ref& surface,
+                                         const Quaternion_vector<double>& lambda,
+                                         const Eigen::MatrixXd& a);
+
 /// \brief the transpose: the gradient q of the sum of <y_k, e~_k> over the edges, |V|: its change
 /// is Re <q, dlambda>.
 /// \param y |E| x 3

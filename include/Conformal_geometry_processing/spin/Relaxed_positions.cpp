@@ -105,7 +105,7 @@ void Position_residual::set_targets(Points targets)
 void Position_residual::set_spins(const Spins& lambda)
 {
   m_lambda = lambda;
-  const Points h = points_of(transformed_edges(m_surface, lambda));
+  const Points h = points_at(lambda);
   m_placement = placement(h, m_targets, m_masses);
   const Points placed = m_placement.apply(h);
   m_distances = placed - m_targets;
@@ -127,10 +127,32 @@ Eigen::VectorXd Position_residual::change(const Spins& dlambda) const
 
 auto Position_residual::gradient(const Eigen::VectorXd& y) const -> Spins
 {
+  return edge_gradient(m_surface, m_lambda, edge_forces(forces(y)));
+}
+
+// One for each point: that of its influences, by the axes of the force.
+Spin_columns Position_residual::columns() const
+{
+  Spin_columns c{edge_gradients(m_surface, m_lambda, m_influences),
+                 Block<Quaternion<double>>(m_targets.cols(), m_size)};
+  for (Eigen::Index k = 0; k < m_size; ++k) {
+    const Points f = forces(Eigen::VectorXd::Unit(m_size, k));
+    for (Eigen::Index p = 0; p < f.cols(); ++p)
+      c.factors(p, k) = imaginary(Eigen::Vector3d(f.col(p)));
+  }
+  return c;
+}
+
+Points Position_residual::forces(const Eigen::VectorXd& y) const
+{
   const Points z = m_motions.motion(y).reshaped(3, m_targets.cols()) *
                    (m_weight * m_masses).cwiseSqrt().asDiagonal();
-  const Points forces = m_placement.scale / m_radius * (m_placement.rotation.transpose() * z);
-  return edge_gradient(m_surface, m_lambda, edge_forces(forces));
+  return m_placement.scale / m_radius * (m_placement.rotation.transpose() * z);
+}
+
+Points Position_residual::points_at(const Spins& lambda) const
+{
+  return points_of(transformed_edges(m_surface, lambda));
 }
 
 Points Position_residual::points_of(const Eigen::MatrixX3d& edges) const
@@ -279,14 +301,12 @@ double Relaxed_positions::distance()
 
 Points Relaxed_positions::present_points() const
 {
-  return positions_of(m_problem.points,
-                      m_transformation.reconstruction().positions(transformed_edges(
-                          m_transformation.system().surface(), m_scales.spins().lambda())));
+  return (m_anchors ? *m_anchors : m_positions).points_at(m_scales.spins().lambda());
 }
 
-Spin_result Relaxed_positions::present()
+Spin_result Relaxed_positions::present(const std::function<void(Spin_result&)>& place)
 {
-  Spin_result result = m_transformation.surface_of(m_scales.solution());
+  Spin_result result = m_transformation.surface_of(m_scales.solution(), place);
   if (m_problem.scales.bound) result.report.scales = m_scales.scales();
   return result;
 }

@@ -18,6 +18,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -87,6 +88,9 @@ class Position_residual : public Spin_residual {
   void set_spins(const Spins& lambda) override;
   Eigen::VectorXd values() const override { return coordinates(m_distances); }
 
+  /// the points of the surface with these spins, before the similarity; up to a translation
+  Points points_at(const Spins& lambda) const;
+
   Eigen::VectorXd change(const Spins& dlambda) const override;
   Spins gradient(const Eigen::VectorXd& y) const override;
 
@@ -98,6 +102,7 @@ class Position_residual : public Spin_residual {
   /// Of a few points, for which the constructor solves one Poisson equation each, and keeps |E|
   /// numbers each
   bool is_few() const override { return m_points.size() <= most_few; }
+  Spin_columns columns() const override;
   bool has_to_vanish() const override { return is_few() && m_has_to_vanish; }
 
   /// \param c weight of what else keeps spins from varying, as that of a `Dirac_misfit`
@@ -111,6 +116,9 @@ class Position_residual : public Spin_residual {
 
   /// Z^T of the roots of masses and weight times v / R
   Eigen::VectorXd coordinates(const Points& v) const;
+
+  /// the forces on points before the similarity whose work is that of y on the values
+  Points forces(const Eigen::VectorXd& y) const;
 
   /// the points of the surface with these edge vectors, |E| x 3
   Points points_of(const Eigen::MatrixX3d& edges) const;
@@ -191,12 +199,13 @@ class Relaxed_positions {
   /// the root of the sum of the squares of distances times masses, by R
   double distance();
 
-  /// the control points on the present surface
+  /// the control points on the present surface, up to a translation
   Points present_points() const;
 
   /// \brief the present surface, with its report and all costs since `reset_costs()`; without
   /// positions if the search was cancelled
-  Spin_result present();
+  /// \param place moves it before it is judged
+  Spin_result present(const std::function<void(Spin_result&)>& place = {});
   void reset_costs() { m_scales.reset_costs(); }
   void renew_budget() { m_scales.renew_budget(); }
 

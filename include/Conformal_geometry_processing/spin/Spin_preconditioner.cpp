@@ -43,23 +43,31 @@ void Spin_preconditioner::update(const Spins& lambda, const Eigen::VectorXd& rho
     return;
   }
   const Eigen::Index columns = m_gradients.cols();
-  m_gradients = gradients_of(m_few, m_lambda.size());
-  for (Eigen::Index k = 0; k < m_gradients.cols(); ++k)
-    m_gradients.col(k) = m_gauge.projected_gradient(m_lambda, m_gradients.col(k));
+  const Spin_columns few = gradient_columns();
+  m_gradients = combination(few.columns, few.factors);
   const double few_reuse = .1 * m_reuse;
   if (is_new || m_gradients.cols() != columns || m_moved - m_chosen_at > few_reuse)
-    choose_few(costs);
+    choose_few(few, costs);
   if (m_few_changes.cols() > 0) adopt_few();
 }
 
-void Spin_preconditioner::choose_few(Relaxed_costs& costs)
+Spin_columns Spin_preconditioner::gradient_columns() const
+{
+  if (!has_few()) return {Vectors(m_lambda.size(), 0), Vectors(0, 0)};
+  Spin_columns few = columns_of(m_few, m_system.coefficients());
+  for (Eigen::Index k = 0; k < few.columns.cols(); ++k)
+    few.columns.col(k) = m_gauge.projected_gradient(m_lambda, few.columns.col(k));
+  return few;
+}
+
+void Spin_preconditioner::choose_few(const Spin_columns& few, Relaxed_costs& costs)
 {
   const double least = 1e-12;  // of the largest: less is rounding
   m_chosen_at = m_moved;
   m_few_changes.resize(m_gradients.rows(), 0);
   if (m_gradients.cols() == 0) return;
-  const Vectors solved = solve(m_gradients);
-  costs.block_columns += static_cast<int>(m_gradients.cols());
+  const Vectors solved = combination(solve(few.columns), few.factors);
+  costs.block_columns += static_cast<int>(few.columns.cols());
   const Eigen::MatrixXd products = real_gram_matrix(m_gradients, solved);
   const auto energies =
       hermitian_eigen_decomposition<double>((products + products.transpose()) / 2);

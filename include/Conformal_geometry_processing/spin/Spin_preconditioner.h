@@ -22,7 +22,7 @@ struct Relaxed_costs {
 /// \brief approximates the inverse of the Hessian of `Relaxed_spins` for changes of lambda, by that
 /// of w X(rho') + the stiffness of residuals + G G^T, w the sum of the weights of the misfit and G
 /// the gradients of the residuals that are few: one solve with the factor of the first two for each
-/// of these, and for each application.
+/// of their `Spin_columns`, and for each application.
 ///
 /// The factor and these solves are kept as long as lambda has moved little since and the stiffness
 /// has not changed much. What a large weight of the few multiplies is up to date all the same: in
@@ -87,7 +87,8 @@ class Spin_preconditioner {
   /// \returns whether there is a new factor
   bool factorize(const Eigen::VectorXd& rho, Relaxed_costs& costs);
   Vectors solve(const Vectors& g) const;
-  void choose_few(Relaxed_costs& costs);
+  Spin_columns gradient_columns() const;  // of G, in the gauge of lambda
+  void choose_few(const Spin_columns& few, Relaxed_costs& costs);
   void adopt_few();
   Spins iterated_correction(const Eigen::VectorXd& values, Relaxed_costs& costs) const;
 

@@ -4,6 +4,7 @@
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 
 #include <cmath>
+#include <cstddef>
 
 namespace Conformal_geometry_processing {
 namespace internal {
@@ -60,12 +61,28 @@ auto gradient_of(const Spin_residuals& residuals, const Eigen::VectorXd& y) -> S
   return sum;
 }
 
-Block<Quaternion<double>> gradients_of(const Spin_residuals& residuals, Eigen::Index vertices)
+/// both in one: of the columns beside each other, and the factors as blocks
+Spin_columns joined(const Spin_columns& a, const Spin_columns& b)
 {
-  const Eigen::Index size = number_of_values(residuals);
-  Block<Quaternion<double>> all(vertices, size);
-  for (Eigen::Index k = 0; k < size; ++k)
-    all.col(k) = gradient_of(residuals, Eigen::VectorXd::Unit(size, k));
+  const Eigen::Index m = a.factors.rows(), n = a.factors.cols();
+  Spin_columns all;
+  all.columns.resize(a.columns.rows(), m + b.factors.rows());
+  all.columns << a.columns, b.columns;
+  all.factors.setConstant(m + b.factors.rows(), n + b.factors.cols(), {});
+  all.factors.topLeftCorner(m, n) = a.factors;
+  all.factors.bottomRightCorner(b.factors.rows(), b.factors.cols()) = b.factors;
+  return all;
+}
+
+Spin_columns columns_of(const Spin_residuals& residuals, Coefficients coefficients)
+{
+  Spin_columns all = residuals.front()->columns();
+  for (std::size_t i = 1; i < residuals.size(); ++i) all = joined(all, residuals[i]->columns());
+  if (coefficients == Coefficients::quaternions) return all;
+  const Eigen::Index size = all.factors.cols();
+  all.columns = combination(all.columns, all.factors);
+  all.factors.setConstant(size, size, {});
+  all.factors.diagonal().setConstant({1, 0, 0, 0});
   return all;
 }
 

@@ -3,6 +3,7 @@
 
 #include <Conformal_geometry_processing/mesh/Surface_ref.h>
 #include <Quaternionic_linear_algebra/algebra/Quaternion_vector.h>
+#include <Quaternionic_linear_algebra/dense/block_operators.h>
 
 #include <Eigen/Core>
 
@@ -12,6 +13,13 @@
 
 namespace Conformal_geometry_processing {
 namespace internal {
+
+/// \brief gradients of few values: that of <y, values> is V F y, with factors from the right. One
+/// column serves several values, and so does one solve with a matrix of quaternions.
+struct Spin_columns {
+  Block<Quaternion<double>> columns;  ///< V, |V| x m
+  Block<Quaternion<double>> factors;  ///< F, m x number of values
+};
 
 /// \brief numbers r(lambda) that `Relaxed_spins` make small, or zero: what is wanted of the
 /// transformed surface, in terms of its spins.
@@ -38,9 +46,11 @@ class Spin_residual {
   /// Empty: they leave this residual to the iterations.
   virtual Eigen::VectorXd stiffness() const { return {}; }
 
-  /// \brief whether the values are few, such as periods: preconditioners then take their gradients
-  /// one by one.
+  /// whether the values are few, such as periods: preconditioners then take their `columns()`
   virtual bool is_few() const { return false; }
+
+  /// those of `gradient()`, if the values are few
+  virtual Spin_columns columns() const { return {}; }
 
   /// whether `Relaxed_spins::meet_few()` takes the values off; those of which it does come first
   virtual bool has_to_vanish() const { return is_few(); }
@@ -70,8 +80,10 @@ Eigen::VectorXd change_of(const Spin_residuals& residuals, const Spin_residual::
 /// the transpose: the sum of their `gradient()` of the parts of y
 Spin_residual::Spins gradient_of(const Spin_residuals& residuals, const Eigen::VectorXd& y);
 
-/// the gradients of the values with respect to the spins, |V| x number of values
-Block<Quaternion<double>> gradients_of(const Spin_residuals& residuals, Eigen::Index vertices);
+/// \brief the columns of few values, of one residual after the other: one for each value where
+/// spins have real coefficients only.
+/// \pre there are residuals, all of them with `is_few()`
+Spin_columns columns_of(const Spin_residuals& residuals, Coefficients coefficients);
 
 /// \brief u = log |lambda|^2, |V|: the transformation scales lengths by e^u. The gauge adds a
 /// constant.

@@ -191,7 +191,8 @@ Spin_result Spin_transformation::in_units(internal::Dirac_solution s) const
   return result;
 }
 
-void Spin_transformation::reconstruct(Spin_result& result)
+void Spin_transformation::reconstruct(Spin_result& result,
+                                      const std::function<void(Spin_result&)>& place)
 {
   internal::Stopwatch watch;
   Spin_report& r = result.report;
@@ -203,6 +204,7 @@ void Spin_transformation::reconstruct(Spin_result& result)
   // Excludes thin faces: those of area zero may have become wrinkled.
   if (!positions) restore_area(domain().measured(), f, result.lambda);
   result.positions = domain().frame().from_frame(f);
+  if (place) place(result);
   f = domain().frame().to_frame(result.positions);  // after rounding
   internal::certify(domain().measured(), f, result.lambda, r);
   judge_boundary(f, r);

@@ -17,6 +17,7 @@
 
 #include <Eigen/Core>
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -223,7 +224,9 @@ class Spin_transformation {
 
   /// \brief the surface of relaxed spins in the frame, with its report; without positions if they
   /// were cancelled.
-  Spin_result surface_of(internal::Dirac_solution found);
+  /// \param place if given, moves the surface before it is judged
+  Spin_result surface_of(internal::Dirac_solution found,
+                         const std::function<void(Spin_result&)>& place = {});
 
  private:
   /// everything that depends on the positions
@@ -286,8 +289,11 @@ class Spin_transformation {
   /// closes what a step by rho has left open
   void close(const Eigen::VectorXd& rho, double limit, Spin_result& result);
 
-  /// tells how far the edges are from closing up; returns the largest defect that counts as closed
-  double judge_periods(const internal::Exactness_constraints& closing, Spin_result& result) const;
+  /// tells how far the edges are from closing up
+  void judge_periods(const internal::Exactness_constraints& closing, Spin_result& result) const;
+
+  /// the largest defect of a surface that counts as closed
+  double period_limit(const Spin_report& report) const;
 
   /// tells how the equation of rho is solved, |V|, in the frame
   void judge_equation(Eigen::VectorXd rho, Spin_result& result) const;
@@ -307,7 +313,8 @@ class Spin_transformation {
 
   /// Computes positions from lambda, with the area and the centroid of the mesh, and the
   /// certificate.
-  void reconstruct(Spin_result& result);
+  /// \param place as of `surface_of()`
+  void reconstruct(Spin_result& result, const std::function<void(Spin_result&)>& place = {});
   void judge_boundary(const Points& f, Spin_report& report) const;
 
   /// the result, with the curvature that it has realised of rho

@@ -180,7 +180,8 @@ Spin_result Spin_transformation::closed_step(const Eigen::VectorXd& rho,
   Spin_result result = trial_step({On::vertices, rho}, go_further);
   const Spin_report& r = result.report;
   if (r.cancelled || !has_loops()) return result;
-  const double limit = judge_periods(exactness(On::vertices), result);
+  judge_periods(exactness(On::vertices), result);
+  const double limit = period_limit(r);
   if (m_options.exactness && r.converged && r.period_defect > limit) close(rho, limit, result);
   return result;
 }
@@ -215,23 +216,29 @@ void Spin_transformation::judge_equation(Eigen::VectorXd rho, Spin_result& resul
   (system().is_self_adjoint() ? r.dirac_residual : r.eigenvalue) = misfit;
 }
 
-double Spin_transformation::judge_periods(const internal::Exactness_constraints& closing,
-                                          Spin_result& result) const
+void Spin_transformation::judge_periods(const internal::Exactness_constraints& closing,
+                                        Spin_result& result) const
 {
-  Spin_report& r = result.report;
-  r.period_defect = closing.period_defect(transformed_edges(system().surface(), result.lambda));
-  return internal::Period_limit{m_options.max_period_defect, m_options.dirac.tolerance}(r);
+  result.report.period_defect =
+      closing.period_defect(transformed_edges(system().surface(), result.lambda));
 }
 
-Spin_result Spin_transformation::surface_of(internal::Dirac_solution found)
+double Spin_transformation::period_limit(const Spin_report& report) const
+{
+  return internal::Period_limit{m_options.max_period_defect, m_options.dirac.tolerance}(report);
+}
+
+Spin_result Spin_transformation::surface_of(internal::Dirac_solution found,
+                                            const std::function<void(Spin_result&)>& place)
 {
   Spin_result result = in_units(std::move(found));
   if (result.report.cancelled) return result;
-  reconstruct(result);
+  const internal::Exactness_constraints* const loops = closing();
+  if (loops) judge_periods(*loops, result);
+  reconstruct(result, place);
   Spin_report& r = result.report;
   r.converged = r.converged && result.positions.allFinite();
-  const internal::Exactness_constraints* const loops = closing();
-  if (loops) r.period_limit = judge_periods(*loops, result);
+  if (loops) r.period_limit = period_limit(r);
   return result;
 }
 
