@@ -37,8 +37,26 @@ def growth(rows):
             f"{first['iterations']} to {last['iterations']}.")
 
 
+def large(rows):
+    """Meshes that no run of one process is measured on."""
+    known = {row["faces"] for row in alone(rows)}
+    return " ".join(f"{row['faces']:,} faces on {name_of(row['processes'])}: "
+                    f"{max(row['megabytes']):.0f} MB the largest, {sum(row['megabytes']) / 1024:.1f} GB together, "
+                    f"{row['seconds']:.0f} CPU seconds in {row['wall'] / 60:.0f} minutes, "
+                    f"{row['iterations']} iterations."
+                    for row in measured(rows) if row["faces"] not in known)
+
+
+def differences(rows):
+    """The largest of all numbers of processes."""
+    compared = grouped([row for row in rows if "compared" in row], "compared", "bound")
+    return ", ".join(f"{name}{f' within {bound}' if bound else ''} {max(row['difference'] for row in some):.0e}"
+                     for (name, bound), some in compared.items()) + "."
+
+
 def blocks(rows):
-    return {"parts": largest_table(rows), "growth": growth(rows)}
+    return {"parts": largest_table(rows), "growth": growth(rows), "large": large(rows),
+            "differences": differences(rows)}
 
 
 def figures(rows):
