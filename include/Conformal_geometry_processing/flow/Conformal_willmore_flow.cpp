@@ -42,7 +42,7 @@ Conformal_willmore_flow::Conformal_willmore_flow(const Mesh_view& mesh, const Fl
       m_balance(m_initial, options, m_transformation, m_function),
       m_initial_energy(energy_of(m_initial)),
       m_energy(m_initial_energy),
-      m_energy_of_input(energy_of_faces(m_initial.positions())),
+      m_least_energy_of_faces(energy_of_faces(m_initial.positions())),
       m_time_step(options.time_step, (std::min)(options.min_time_step, options.time_step),
                   options.surface.exact_conformal_class
                       ? (std::max)(options.time_step / 4,
@@ -367,11 +367,10 @@ void Conformal_willmore_flow::accept(Flow_step_report& report, bool was_filling)
 {
   ++m_steps;
   report.accepted = true;
-  report.energy = m_energy;
-  report.energy_of_faces = written_energy();
+  if (was_filling) m_least_energy_of_faces = HUGE_VAL;  // that of another volume
+  tell_energy(report);
   report.message.clear();
   report.place = {};
-  if (was_filling) m_energy_of_input = report.energy_of_faces;  // that of another volume
   m_is_bounded = report.is_bounded;
   if (m_class) judge_boundary(report.spin);
   m_time_step.grow();

@@ -197,7 +197,7 @@ class Conformal_willmore_flow {
     Points positions;
     double energy;
     internal::Time_step time_step;
-    internal::Pause smoothing;
+    internal::Smoothing smoothing;
     std::optional<internal::Class_keeper::State> keeper;
     internal::Scale_bound::Pace pace;
   };
@@ -240,16 +240,14 @@ class Conformal_willmore_flow {
   /// on the faces of the input where these are judged, otherwise on those of the flow
   double energy_of_faces(const Points& positions) const;
 
-  /// \brief why a surface, whose map is known, is beyond limits, or on the faces of the input
-  /// beyond `Flow_options::limits`.
+  /// why a surface is beyond limits, or on the faces of the input beyond those of the options
   internal::Refusal beyond(const Conformality& map, const Conformality::Limits& limits,
                            const Points& positions) const;
 
   /// how the connectivity of the class was made of the faces of the input, with mollification
   Spin_report::Mollification mollification_on_class() const;
 
-  /// the surface on which the flow computes: with the connectivity of the exact class, if it is
-  /// kept
+  /// the surface on which the flow computes: of the exact class, if it is kept
   static Mesh_view on_class(const Mesh_view& mesh, const Flow_options& options,
                             const std::string& function);
   bool fairs() const;
@@ -270,6 +268,10 @@ class Conformal_willmore_flow {
   /// Smooths the surface within its class; \returns whether that lowered the energy.
   bool fair(Flow_step_report& report);
 
+  /// for a step that would be the last without smoothing
+  void end_pause(Flow_step_report& report);
+  /// likewise within `Flow_options::max_spin_distortion`
+  void go_to_limits(Flow_step_report& report, const Go_further& go_further);
   /// Accepts a step of which only the smoothing succeeded; the flow goes on if that was enough.
   void settle_for_fairing(Flow_step_report& report);
 
@@ -364,9 +366,11 @@ class Conformal_willmore_flow {
   /// Adopts the next surface if the map to it is within the limits. Performs all operations that
   /// may fail before the first change.
   Verdict move_on(double energy, const Conformality::Limits& limits, Flow_step_report& report);
-  /// of a step; with a bound on lengths, which hardly leaves anything to be smoothed, all
+  bool leaves_room() const;  // transformations do, for smoothing: see `max_spin_distortion`
   Conformality::Limits spin_limits() const;
   void accept(Flow_step_report& report, bool was_filling);
+  void tell_energy(Flow_step_report& report);
+  bool rises_on_faces(double energy) const;
 
   std::string m_function;
   internal::Visit_guard m_visits;
@@ -385,9 +389,9 @@ class Conformal_willmore_flow {
   internal::Flow_balance m_balance;
   std::optional<internal::Scale_bound> m_scale_bound;
   bool m_is_bounded = false;  // the last step has met it
-  double m_initial_energy, m_energy, m_energy_of_input;
+  double m_initial_energy, m_energy, m_least_energy_of_faces;
   internal::Time_step m_time_step;
-  internal::Pause m_smoothing_pause;
+  internal::Smoothing m_smoothing;
   Spin_report::Mollification m_mollification;  // on the exact class
   int m_steps = 0;
 };

@@ -63,10 +63,11 @@ auto Conformal_willmore_flow::written(const Points& found) const -> const Writte
 
 void Conformal_willmore_flow::settle(Written& result) const
 {
-  const double error = .05;  // of good faces
+  const double error = rises_on_faces(result.energy) ? 0 : .05;  // of good faces
   Points settled = m_filter->settled(result.found);
   const double energy = energy_of_faces(settled);
   if (!(energy < (1 - error) * result.energy)) return;
+  if (m_scale_bound && m_scale_bound->measured(settled).excess() > 1) return;
   const auto fault = map_to(faces(), settled).fault(m_options.surface.limits.map);
   if (fault == Conformality::Fault::none) result = {result.found, std::move(settled), energy};
 }
@@ -92,11 +93,7 @@ internal::Refusal Conformal_willmore_flow::beyond(const Conformality& map,
                                                   const Points& found) const
 {
   using internal::Refusal;
-  if (Refusal refusal = internal::beyond_limits(measured(), found, map, limits)) {
-    const bool is_ours = map.fault(m_options.surface.limits.map) == Conformality::Fault::none;
-    if (is_ours) refusal.reason += ", beyond which the flow smooths only";
-    return refusal;
-  }
+  if (Refusal refusal = internal::beyond_limits(measured(), found, map, limits)) return refusal;
   if (!m_faces) return {};
   const std::string where = " on the faces of the input, which are not Delaunay";
   const Written& result = written(found);
@@ -104,12 +101,24 @@ internal::Refusal Conformal_willmore_flow::beyond(const Conformality& map,
       *m_faces, result.positions, map_to(*m_faces, result.positions), m_options.surface.limits.map);
   if (of_faces) return {of_faces.reason + where, of_faces.measure};
   if (m_options.surface.mollification) return {};
-  const double error = .01;  // of the energy on such faces
-  const double rise = result.energy - m_energy_of_input;
-  if (!(rise > forbidden_rise() + error * m_energy_of_input)) return {};
-  Mesh_view after = *m_faces;
+  if (!rises_on_faces(result.energy)) return {};
+  Mesh_view before = *m_faces, after = *m_faces;
+  before.set_positions(m_mesh.positions());
   after.set_positions(result.positions);
-  return {"the energy rises" + where, internal::energy_growth(in_frame(*m_faces), in_frame(after))};
+  return {"the energy rises" + where, internal::energy_growth(in_frame(before), in_frame(after))};
+}
+
+bool Conformal_willmore_flow::rises_on_faces(double energy) const
+{
+  const double error = .01;  // on thin faces
+  return energy - m_least_energy_of_faces > forbidden_rise() + error * m_least_energy_of_faces;
+}
+
+void Conformal_willmore_flow::tell_energy(Flow_step_report& report)
+{
+  report.energy = m_energy;
+  report.energy_of_faces = written_energy();
+  m_least_energy_of_faces = (std::min)(m_least_energy_of_faces, report.energy_of_faces);
 }
 
 bool Conformal_willmore_flow::fairs() const
@@ -122,29 +131,42 @@ void Conformal_willmore_flow::take_step(Flow_step_report& report, const Go_furth
 {
   using Stop = Flow_step_report::Stop;
   (void)keep_volume(0);
-  const bool pauses = fairs() && m_smoothing_pause.holds();
+  const bool pauses = fairs() && m_smoothing.pause.holds();
   report.faired = fairs() && !pauses && fair(report);
   const double smoothed = m_energy;
   transform(report, go_further);
   if (report.stop == Stop::cancelled) return;
   if (fairs() && !pauses) {
     const bool gains_more = report.energy_before - smoothed > smoothed - m_energy;
-    m_smoothing_pause.learn(m_transformation.system().is_closed() ? gains_more : report.faired);
+    m_smoothing.pause.learn(m_transformation.system().is_closed() ? gains_more : report.faired);
   }
-  if (pauses && report.stop != Stop::none) {
-    m_smoothing_pause.end();  // smoothing might go on
-    report.faired = fair(report);
-    if (report.faired && report.accepted) {
-      if (!is_small(report.energy_before - m_energy, 1)) report.stop = Stop::none;
-      report.energy = m_energy;
-      report.energy_of_faces = written_energy();
-    }
-  }
+  if (pauses && report.stop != Stop::none) end_pause(report);
+  const bool is_last = report.stop == Stop::limits_reached && leaves_room();
+  if (is_last && is_small(report.energy_before - m_energy, 1)) go_to_limits(report, go_further);
+  if (report.stop == Stop::cancelled) return;
   if (report.faired && !report.accepted) settle_for_fairing(report);
+}
+
+void Conformal_willmore_flow::go_to_limits(Flow_step_report& report, const Go_further& go_further)
+{
+  m_smoothing.has_settled = true;
+  m_time_step = *std::exchange(m_smoothing.time_step, std::nullopt);
+  report.stop = Flow_step_report::Stop::none;
+  transform(report, go_further);
+}
+
+void Conformal_willmore_flow::end_pause(Flow_step_report& report)
+{
+  m_smoothing.pause.end();
+  report.faired = fair(report);
+  if (!report.faired || !report.accepted) return;
+  if (!is_small(report.energy_before - m_energy, 1)) report.stop = Flow_step_report::Stop::none;
+  tell_energy(report);
 }
 
 void Conformal_willmore_flow::transform(Flow_step_report& report, const Go_further& go_further)
 {
+  const internal::Time_step before = m_time_step;
   const auto direction = m_direction(m_mesh);
   report.direction_norm = direction.norm;
   report.remaining_share = direction.share;
@@ -154,18 +176,25 @@ void Conformal_willmore_flow::transform(Flow_step_report& report, const Go_furth
     report.stop = Flow_step_report::Stop::direction_vanished;
   else
     find_time_step(direction, report, go_further);
+  if (report.accepted)
+    m_smoothing.time_step.reset();
+  else if (report.stop == Flow_step_report::Stop::limits_reached && !m_smoothing.time_step)
+    m_smoothing.time_step = before;
 }
 
 bool Conformal_willmore_flow::fair(Flow_step_report& report)
 {
-  double energy = m_energy;
+  const double before = m_energy;
+  double energy = before;
   const auto is_better = [&](const Points& f) {
     m_next.set_positions(f);
     energy = energy_of(m_next);
     return energy < m_energy &&
            move_on(energy, m_options.surface.limits.map, report) == Verdict::good;
   };
-  return m_class->smoothed(m_mesh, is_better).has_value();
+  const bool is_faired = m_class->smoothed(m_mesh, is_better).has_value();
+  if (!is_small(before - m_energy, 1)) m_smoothing.has_settled = false;
+  return is_faired;
 }
 
 void Conformal_willmore_flow::settle_for_fairing(Flow_step_report& report)
@@ -178,8 +207,7 @@ void Conformal_willmore_flow::settle_for_fairing(Flow_step_report& report)
   }
   ++m_steps;
   report.accepted = true;
-  report.energy = m_energy;
-  report.energy_of_faces = written_energy();
+  tell_energy(report);
   report.time_step = 0;
   report.direction_norm_after = report.direction_norm;
   report.is_bounded = false;
@@ -203,7 +231,7 @@ auto Conformal_willmore_flow::state() const -> State
   return {m_mesh.positions(),
           m_energy,
           m_time_step,
-          m_smoothing_pause,
+          m_smoothing,
           m_class ? std::optional(m_class->state()) : std::nullopt,
           m_scale_bound ? m_scale_bound->pace() : internal::Scale_bound::Pace()};
 }
@@ -211,7 +239,7 @@ auto Conformal_willmore_flow::state() const -> State
 void Conformal_willmore_flow::restore(const State& before)
 {
   m_time_step = before.time_step;
-  m_smoothing_pause = before.smoothing;
+  m_smoothing = before.smoothing;
   if (m_class) m_class->set_state(*before.keeper);
   if (m_scale_bound) m_scale_bound->set_pace(before.pace);
   if (m_mesh.positions() == before.positions) return;
@@ -309,10 +337,15 @@ Conformality Conformal_willmore_flow::map_to(const Mesh_view& measured, const Po
   return conformality(before, after, neighbourhood_normals(before, after));
 }
 
+bool Conformal_willmore_flow::leaves_room() const
+{
+  return fairs() && !m_smoothing.has_settled && !m_scale_bound;
+}
+
 Conformality::Limits Conformal_willmore_flow::spin_limits() const
 {
   Conformality::Limits limits = m_options.surface.limits.map;
-  if (m_class && m_options.backtracking && !m_scale_bound)
+  if (leaves_room())
     limits.quasi_conformal = (std::min)(limits.quasi_conformal, m_options.max_spin_distortion);
   return limits;
 }

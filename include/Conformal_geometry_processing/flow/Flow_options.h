@@ -76,9 +76,9 @@ struct Flow_options {
   bool fairing = true;
 
   /// mean quasi-conformal error of the map from the initial surface up to which surfaces on the
-  /// exact class are transformed; beyond it they are smoothed only, which distorts them less. With
-  /// a bound on lengths hardly anything is left to be smoothed, so the limits are those of
-  /// `surface`
+  /// exact class are transformed as long as smoothing goes on, which distorts them less. Where it
+  /// gains nothing, or is not made, and with a bound on lengths, which leaves hardly anything to
+  /// smooth, the limits are those of `surface`
   double max_spin_distortion = 1.25;
 
   /// \brief the `Enclosure::reduced_volume()` of a closed surface that the flow keeps or, a part of
@@ -88,7 +88,9 @@ struct Flow_options {
   std::optional<double> reduced_volume = std::nullopt;
 
   /// stop if the energy changes by less than this share of it in a time of 1; if it tends to zero,
-  /// of a hundredth of the initial energy
+  /// of a hundredth of the initial energy. On the faces of the input, where these are not those of
+  /// the flow, no step leads above the least energy before by more than 1 %, the error of such
+  /// faces
   double energy_tolerance = 1e-4;
   double direction_tolerance = 1e-4;  ///< stop if the constraints leave less than this share of the
                                       ///< direction, or of the curvature of a round sphere

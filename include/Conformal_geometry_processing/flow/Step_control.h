@@ -1,6 +1,8 @@
 // Copyright 2026 Conformal Geometry Processing authors, SPDX-License-Identifier: LGPL-3.0-or-later
 #pragma once
 
+#include <optional>
+
 namespace Conformal_geometry_processing::internal {
 
 /// \brief the length of a step with backtracking: shrinks after failures and grows again.
@@ -47,6 +49,14 @@ class Pause {
 
  private:
   int m_left = 0, m_next = 1;  // steps
+};
+
+/// what a flow knows of its smoothing
+struct Smoothing {
+  Pause pause;
+  bool has_settled = false;  ///< nothing is gained by it, or by transformations that leave it room
+  /// that of transformations before limits have shortened it; none if they have not
+  std::optional<Time_step> time_step;
 };
 
 }  // namespace Conformal_geometry_processing::internal
