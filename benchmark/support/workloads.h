@@ -2,7 +2,6 @@
 #pragma once
 
 #include <Conformal_geometry_processing/mesh/Mesh_component.h>
-#include <Conformal_geometry_processing/mesh/morton_order.h>
 #include <Conformal_geometry_processing/operators/Curvature_potential.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 
