@@ -7,7 +7,7 @@
 # Seen: 5.0.1 has the deprecated spelling and not the other. Whoever follows the advice of 3.4.0 does not
 # compile with 5.0.1, and what 5.0.1 documents is warned of by 3.4.0. Only Eigen::indexing::all, to which
 # neither header points, compiles with both without a warning.
-# Met: columns of blocks; spin/Spectral_pairs.cpp, spin/Control_point.cpp.
+# Met: columns of blocks; mesh/Mesh_component.cpp, flow/fair_region.cpp.
 set -euo pipefail
 
 work=$(mktemp -d)
