@@ -10,7 +10,8 @@
 #include <Quaternionic_linear_algebra/exceptions.h>
 
 #include <algorithm>
-#include <cctype>
+#include <cstddef>
+#include <regex>
 #include <string>
 #include <vector>
 
@@ -32,21 +33,27 @@ void add_row(const Component_outcome& component, std::size_t number, Grid& grid)
             verdict && verdict->is_verified() ? "yes" : "no"});
 }
 
-using Name_in_file = std::string (*)(const Surface_input&, int);
-
-/// the text with names of elements in the file for `KIND NUMBER` of a component
-std::string with_names(std::string text, const std::string& kind, const Surface_input& input,
-                       Name_in_file name)
+/// the text with names of elements in the file for those that the library gives to a component's
+std::string with_names(std::string text, const Surface_input& input)
 {
-  for (std::size_t i = text.find(kind); i != std::string::npos; i = text.find(kind, i)) {
-    std::size_t end = i + kind.size();
-    while (end < text.size() && std::isdigit(static_cast<unsigned char>(text[end]))) ++end;
-    const std::string number = text.substr(i + kind.size(), end - i - kind.size());
-    const std::string named = number.empty() ? kind : name(input, std::stoi(number));
-    text.replace(i, end - i, named);
-    i += named.size();
+  const std::regex edge("\\bedge (\\d+)-(\\d+)"), corners("\\(vertices (\\d+), (\\d+), (\\d+)\\)"),
+      element("\\b(vertex|face) (\\d{1,9})\\b");
+  text = std::regex_replace(text, edge, "the edge from vertex $1 to vertex $2");
+  text = std::regex_replace(text, corners, "(vertex $1, vertex $2, vertex $3)");
+  std::string named;
+  std::string::const_iterator rest = text.cbegin();
+  for (std::sregex_iterator i(text.begin(), text.end(), element), end; i != end; ++i) {
+    const bool is_vertex = (*i)[1] == "vertex";
+    const int number = std::stoi((*i)[2]);
+    const std::size_t all = is_vertex ? input.vertex_in_file.size() : input.face_in_file.size();
+    named.append(rest, (*i)[0].first);
+    if (static_cast<std::size_t>(number) >= all)
+      named += (*i)[0];
+    else
+      named += is_vertex ? name_of_vertex(input, number) : name_of_face(input, number);
+    rest = (*i)[0].second;
   }
-  return text;
+  return named.append(rest, text.cend());
 }
 
 /// Messages of the library count the elements of what it is given, which has an order of its own.
@@ -55,10 +62,7 @@ void do_work(const Component& component, const Component_work& work, Session& se
   try {
     work(component, session);
   } catch (const CGP::Precondition_error& error) {
-    const Surface_input& input = component.input;
-    throw CGP::Precondition_error(
-        error.function(), with_names(with_names(error.message(), "vertex ", input, name_of_vertex),
-                                     "face ", input, name_of_face));
+    throw CGP::Precondition_error(error.function(), with_names(error.message(), component.input));
   }
 }
 
