@@ -80,7 +80,7 @@ Nearest_spin_result Nearest_spin_transformation::searched(Nearest_spin_result st
   const double most_sheared =
       m_options.shear.value_or(m_options.normal_weight == 0 ? start.report.limits.closure
                                                             : (std::max)(shear, 1.5 * of_mesh));
-  double factor = 8, last = std::numeric_limits<double>::infinity();
+  double factor = 8, nearest = std::numeric_limits<double>::infinity();
   Nearest_spin_result best = std::move(start);
   Search::State state = search->state();
   for (double w = internal::first_weight(search->distance());
@@ -96,8 +96,8 @@ Nearest_spin_result Nearest_spin_transformation::searched(Nearest_spin_result st
     }
     const bool is_good = next.report && next.report.closure_residual <= most_sheared;
     // A larger weight helps, also where the first of them led away from the start.
-    const bool is_near = sum(next) <= much_worse * last;
-    if (is_good) last = (std::min)(last, sum(next));
+    const bool is_near = sum(next) <= much_worse * nearest;
+    if (is_good) nearest = (std::min)(nearest, sum(next));
     if (is_good && is_better(next, best)) {
       std::swap(best, next);
       state = search->state();

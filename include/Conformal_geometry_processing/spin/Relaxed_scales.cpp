@@ -113,9 +113,9 @@ auto Relaxed_scales::step(double share, const Go_further& go_further,
 
 // A part of rho tells what all of it would do, as logs of lengths are nearly linear in it. The
 // power and its factor are those of scans: a weight that is far too small costs steps.
-void Relaxed_scales::guess_weight()
+void Relaxed_scales::guess_weight(double share)
 {
-  const double expected = m_excess * m_options.stages / m_steps;
+  const double expected = m_excess / share;
   const double most = 30, least_change = .5, most_change = 8;
   const double guess = m_steps == 1
                            ? (std::min)(.1 * std::pow(expected, 2.25), most)
@@ -184,7 +184,7 @@ auto Relaxed_scales::go_up(const Go_further& go_further, const Ask& ask) -> End
     if (ask) ask(share);
     if (i == m_options.stages) return End::settled;  // `settle()` makes the last ones
     if (const End end = step(share, go_further); end == End::cancelled) return end;
-    if (is_bounded()) guess_weight();
+    if (is_bounded()) guess_weight(share);
   }
   return End::settled;
 }

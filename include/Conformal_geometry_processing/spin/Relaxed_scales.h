@@ -135,7 +135,7 @@ class Relaxed_scales {
   End step(double share, const Go_further& go_further, const Relaxed_spins::Unknown& unknown = {});
   End go_up(const Go_further& go_further, const Ask& ask);
   End settle(const Go_further& go_further);
-  void guess_weight();
+  void guess_weight(double share);
   void set_weight(double weight);
   Relaxed_spins::Unknown log_weight();
   double place_weight(const Relaxed_spins::Spins& there, const Relaxed_spins::Spins& response);
