@@ -8,7 +8,6 @@
 #include <gtest/gtest.h>
 
 #include <limits>
-#include <vector>
 
 #include "support/Counted_solver_traits.h"
 #include "support/dense.h"

@@ -6,8 +6,6 @@
 
 #include <Eigen/Core>
 
-#include <algorithm>
-
 #include "support/random.h"
 
 /// Small dense matrices of quaternions, by the definitions of matrix algebra.

@@ -3,8 +3,6 @@
 
 #include <Conformal_geometry_processing/surfaces/tori.h>
 
-#include <cmath>
-
 #include "support/mesh_tools.h"
 
 /// Tori whose grid comes back to itself with a shift: no reflection keeps their conformal class

@@ -7,7 +7,6 @@
 
 #include <cmath>
 #include <complex>
-#include <utility>
 #include <vector>
 
 #include "support/mesh_tools.h"

@@ -95,10 +95,6 @@ class Curvature_direction_ref {
   std::function<double(const Mesh_view&, const Surface_ref&)> m_energy;
 };
 
-}  // namespace internal
-
-namespace internal {
-
 /// \brief filters the direction of a flow and projects it onto the constraints [CGP 6.4.4].
 ///
 /// Removes the constants, if they have no effect; the functions of `Exactness_constraints`; and on

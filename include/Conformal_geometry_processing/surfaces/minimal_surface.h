@@ -9,7 +9,6 @@
 
 #include <Eigen/Core>
 
-#include <optional>
 #include <string>
 
 namespace Conformal_geometry_processing {

@@ -15,7 +15,6 @@
 
 #include <complex>
 #include <string>
-#include <utility>
 
 namespace Conformal_geometry_processing {
 

@@ -13,7 +13,6 @@
 #include "support/spheres.h"
 #include "support/tori.h"
 
-#include <algorithm>
 #include <fstream>
 #include <numeric>
 
