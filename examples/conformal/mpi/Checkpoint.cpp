@@ -49,7 +49,7 @@ Search_state Checkpoint::read(const Distributed_mesh& mesh) const
     std::string head;
     if (!std::getline(file, head)) throw Read_error(m_path, 0, "there is no checkpoint to resume");
     const auto json = nlohmann::json::parse(head, nullptr, false);
-    if (json.is_discarded() || json.value("job", "") != m_job)
+    if (json.is_discarded() || json.value("job", "") != m_job || !json.contains("rows"))
       throw Failure(Exit_code::unsuitable,
                     m_path + " is the checkpoint of another run; try: without --resume");
     for (const auto& number : json["numbers"])  // what is not finite is null

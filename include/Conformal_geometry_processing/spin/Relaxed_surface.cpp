@@ -64,7 +64,7 @@ void Relaxed_surface::close_within_bound(const Go_further& go_further)
 Spin_result Relaxed_surface::surface(const Closing_start& start, const Eigen::VectorXd& rho,
                                      const Surface_of& surface_of, const Go_further& go_further)
 {
-  m_tries = 0;
+  m_tries = 0, m_asks_for_less = false;
   if (start.is_guided())
     m_scales.run(go_further);
   else
