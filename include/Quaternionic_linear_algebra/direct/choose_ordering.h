@@ -37,8 +37,8 @@ struct Ordering_costs {
 /// Minimum degree is tried first: it takes half of the time of dissection, and its analysis
 /// yields the exact number of operations of a factorization. Dissection, which saves half of them
 /// on large compact meshes, is tried only where it may save more than it takes, and the structure
-/// with fewer operations is returned. On several threads dissection begins at the same time, and is
-/// in vain where it is not wanted.
+/// with fewer operations is returned. On several threads dissection begins at the same time, and
+/// ends where it is not wanted.
 ///
 /// \param positions 3 x n, or null: without positions minimum degree is used
 /// \param factorizations expected number of factorizations

@@ -5,6 +5,7 @@
 #include <Quaternionic_linear_algebra/threads/Thread_team.h>
 
 #include <algorithm>
+#include <atomic>
 #include <numeric>
 #include <utility>
 
@@ -217,16 +218,18 @@ void order_leaves(const Ordering& by_degree, const std::vector<int>& leaf, Order
 }
 
 /// The first cuts form a binary tree of tasks: part t is cut into the parts 2t and 2t + 1. Task 0
-/// is what another thread does at the same time.
+/// is what another thread does at the same time; it returns whether the cuts are still wanted.
 void dissect_in_parallel(Dissection_part&& all, int threads, Ordering& order,
-                         std::vector<int>& leaf, const std::function<void()>& beside)
+                         std::vector<int>& leaf, const std::function<bool()>& beside)
 {
   constexpr int parts_at_most = 128, smallest = 1000;
   std::vector<Dissection_part> parts(parts_at_most);
   parts[1] = std::move(all);
+  std::atomic<bool> is_wanted = true;
   Task_pool pool(threads);
   pool.run({0, 1}, [&](int t) {
-    if (t == 0) return beside();
+    if (t == 0) is_wanted = beside();
+    if (t == 0 || !is_wanted) return;
     Dissection dissection(order, leaf);
     Dissection_part part = std::move(parts[static_cast<std::size_t>(t)]);
     if (2 * t >= parts_at_most || part.region.size() < smallest)
@@ -268,7 +271,7 @@ internal::Ordering sweep_nested_dissection(
   internal::Dissection_part all{graph_region(pattern, positions), pattern.size()};
   if (threads > 1)
     internal::dissect_in_parallel(std::move(all), threads, order, leaf,
-                                  [&] { by_degree = find_by_degree(); });
+                                  [&] { return (by_degree = find_by_degree()) != nullptr; });
   else
     internal::Dissection(order, leaf).finish(std::move(all));
   if (by_degree == nullptr) return {};
