@@ -99,7 +99,7 @@ TEST_F(Flow_that_stops, notes_how_much_has_become_small)
 {
   const auto dumbbell = cgp_test::mapped(cgp_test::icosphere(4), [](const Eigen::Vector3d& p) {
     const double s = .15 + .85 * std::min(1., p.z() * p.z() / .36);
-    return Eigen::Vector3d(s * p.x(), s * p.y(), 2 * p.z());
+    return Eigen::Vector3d(s * p.x(), s * p.y(), 1.5 * p.z());
   });
   write("a.off", off(dumbbell));
   const Program_run r = run("flow a.off --steps 20 -o b.off");

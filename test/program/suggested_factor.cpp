@@ -61,7 +61,7 @@ TEST_F(Suggested_factor, is_looked_for_within_a_budget_of_solves_where_rho_is_wi
   write("a.off", off(cgp_test::icosphere(3)));
   // from vertex to vertex, as noise
   const Program_run r =
-      run("spin a.off --rho-expression '45*sin(1000*x)*cos(1100*y)' --max-scale 3 "
+      run("spin a.off --rho-expression '45*sin(1000*x)*cos(1100*y)' --max-scale 6 "
           "--advanced progress=json --json b.json -o b.ply");
   EXPECT_EQ(r.code, 1);
   const auto result = read_json("b.json")["result"];
