@@ -82,7 +82,7 @@ TEST_F(Suggested_factor, is_not_looked_for_where_too_much_is_left_out_for_handle
       "spin -q a.off --rho-expression 'sin(3*x+1)' --limit realised_share=.9999 --json b.json "
       "-o b.ply --amplitude ";
   std::vector<double> shares;
-  for (const char* amplitude : {"1", ".1", ".01"}) {
+  for (const char* amplitude : {".3", ".03", ".003"}) {  // within the bound on lengths
     EXPECT_EQ(run(spin + amplitude).code, 1);
     const auto result = read_json("b.json")["result"];
     EXPECT_FALSE(result.contains("suggestion_solves"));
