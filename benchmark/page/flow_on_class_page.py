@@ -7,7 +7,7 @@ from page import plot
 from page.tables import count, table
 
 SPHERE = 4 * math.pi
-OPPONENTS = {"cMCF": "cMCF", "smooth_shape": "smooth_shape of CGAL"}
+OPPONENTS = ("cMCF", "smooth_shape")
 GROUPS = {"CGAL": "CGAL's data", "slivers": "slivers"}
 LAW = 0.95  # no opponent has less of both energy and Q than so much of ours
 
@@ -127,9 +127,9 @@ def figures(rows):
     kept = {row["mesh"]: {} for row in of_table(rows, "flow")}
     for row in of_table(rows, "flow"):
         kept[row["mesh"]][{"exact": "on the class", "plain": "as in the thesis"}[row["flow"]]] = row["cross_ratio"]
-    nearest = {f"{name}, {GROUPS[group]}": [by(duel[method], duel["flow"]) for duel in duels(rows).values()
+    nearest = {f"{method}, {GROUPS[group]}": [by(duel[method], duel["flow"]) for duel in duels(rows).values()
                                             if method in duel and duel["flow"]["group"] == group]
-               for method, name in OPPONENTS.items() for group in GROUPS}
+               for method in OPPONENTS for group in GROUPS}
     return {"flow_on_class_opponents.svg": plot.distributions(
                 {name: [min(value, 10) for value in some] for name, some in nearest.items()},
                 "larger of E and Q by those of the flow, where that is least; 10 or more",
