@@ -40,7 +40,7 @@ def growth(rows):
 def large(rows):
     """Meshes that no run of one process is measured on."""
     known = {row["faces"] for row in alone(rows)}
-    return " ".join(f"{row['faces']:,} faces on {name_of(row['processes'])}: "
+    return " ".join(f"{row['mesh'].partition(',')[0]}, {row['faces']:,} faces on {name_of(row['processes'])}: "
                     f"{max(row['megabytes']):.0f} MB the largest, {sum(row['megabytes']) / 1024:.1f} GB together, "
                     f"{row['seconds']:.0f} CPU seconds in {row['wall'] / 60:.0f} minutes, "
                     f"{row['iterations']} iterations."
